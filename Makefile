@@ -23,13 +23,16 @@ types:
 layers:
 	$(BIN)/lint-imports
 
+# A killed worker ends the run: after a restart, files that it held are never finished.
+PARALLEL = -n 2 --dist loadfile --no-loadscope-reorder --max-worker-restart=0 --instafail --durations 30
+
 pytest:
-	$(BIN)/pytest -n 2 --dist loadfile
+	$(BIN)/pytest $(PARALLEL)
 
 # Two minutes, kernels compiled: all but slow tests and those in a browser.
 quick:
 	@tools/environment dev
-	$(BIN)/pytest -n 2 --dist loadfile -m "not slow and not browser"
+	$(BIN)/pytest $(PARALLEL) -m "not slow and not browser"
 
 # Flip one sign of the physics at a time; MUTATIONS=damper: those whose name has it.
 mutations:

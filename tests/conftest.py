@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
-from builders.marks import BROWSER, DOCS, PAPER, SLOW
+from builders.marks import BROWSER, DOCS, FIRST, PAPER, SLOW
 from builders.missing import is_allowed
 
 # Property tests draw the same examples on every machine, and the first call of a function may be slow.
@@ -18,7 +18,9 @@ HERE = Path(__file__).parent
 
 @pytest.hookimpl(tryfirst=True)  # before tests are chosen by their marks
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Mark tests by their place; `builders/marks.py` says which."""
+    """Mark tests by their place, and begin with the longest files; `builders/marks.py` says which."""
+    rank = {name: k for k, name in enumerate(FIRST)}
+    items.sort(key=lambda item: rank.get(item.path.name, len(rank)))
     for item in items:
         file, _, name = item.nodeid.partition("::")
         place = item.path.relative_to(HERE).as_posix() if item.path.is_relative_to(HERE) else file

@@ -164,10 +164,12 @@ class Reader:
         getattr(self, this.kind)(this)
 
     def toml(self, this: Typed) -> None:
-        """A plan, a scenario, or a table of one, which is laid over a plain scenario."""
-        if "[[vary]]" in this.text:
-            (self.folder / "campaign.toml").write_text(this.text)
-            read_plan(self.folder / "campaign.toml")
+        """A plan, a scenario, or a part of one, which is laid over the plan before or a plain scenario."""
+        plan = self.folder / "campaign.toml"
+        more = re.match(r"success =", this.text)
+        if more or "[[vary]]" in this.text:
+            plan.write_text(f"{this.text}\n{plan.read_text()}" if more else this.text)
+            read_plan(plan)
             return
         whole = re.search(r"^vehicle =|^\[vehicle\]", this.text, re.M)
         path = self.folder / (this.saved_as or "scenario.toml")

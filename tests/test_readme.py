@@ -100,6 +100,7 @@ def followed(this: Typed, folder: Path) -> None:
     assert "Traceback" not in done.stderr, done.stderr
 
 
+@pytest.mark.timeout(3 * PATIENCE)
 def test_readme_runs_from_top_to_bottom_in_an_empty_folder(tmp_path: Path) -> None:
     """Every line, in order, with the files that the lines before it left."""
     todo = lines()

@@ -71,10 +71,10 @@ def of(what: str, found: Counter[str], remark: str = "") -> Row:
 def damaged_campaigns(folder: Path, cases: int) -> Iterator[Row]:
     filled(folder / "c")
     part = manifest.file_of(10)
-    for name in (part, manifest.NAME, store.ABOUT, store.PLAN):
+    for name in (part, manifest.NAME, store.METADATA, store.PLAN):
         what = "a part" if name == part else name
         yield of(f"one byte of {what} changed", one_byte(folder / "c", name, all_said, cases))
-    for name in (part, store.ABOUT, store.PLAN):
+    for name in (part, store.METADATA, store.PLAN):
         what = "a part" if name == part else name
         yield of(f"{what} cut off", cut_off(folder / "c", name, all_said, cases // 4))
 

@@ -14,7 +14,7 @@ def all_said(folder: Path, *, summed: bool = True) -> Any:
     campaign = Campaign(folder)
     rows = campaign.query("FROM flights ORDER BY flight")
     refused = sum(part.refused for part in campaign.parts)
-    about = {key: campaign.about[key] for key in ("flights", "robots", "seed", "units")}
+    about = {key: campaign.metadata[key] for key in ("flights", "robots", "seed", "units")}
     return (
         rows,
         refused,

@@ -131,7 +131,7 @@ def written(path: Path) -> Any:
     """
     if path.is_file():
         return path.read_bytes()
-    if (path / store.PLAN).exists() and (path / store.ABOUT).exists():
+    if (path / store.PLAN).exists() and (path / store.METADATA).exists():
         Campaign(path).query("FROM flights")
         return store.PLAN
     return sorted(files(path)) if path.is_dir() and any(path.iterdir()) else None

@@ -219,18 +219,18 @@ def ledgers(draw: st.DrawFn) -> Changed:
     files = campaign()[1]
     how = draw(st.sampled_from(["bytes", "about", "plan", "lines", "lines"]))
     if how == "bytes":
-        name = draw(st.sampled_from([manifest.NAME, store.ABOUT, store.PLAN]))
+        name = draw(st.sampled_from([manifest.NAME, store.METADATA, store.PLAN]))
         return Changed(told, {name: draw(_bytes(files[name], told))})
     if how == "about":
-        about = draw(_changed(json.loads(files[store.ABOUT]), told))
-        return Changed(told, {store.ABOUT: _json(_sealed(about))})
+        about = draw(_changed(json.loads(files[store.METADATA]), told))
+        return Changed(told, {store.METADATA: _json(_sealed(about))})
     if how == "plan":
         plan = _json(draw(_changed(json.loads(files[store.PLAN]), told)))
-        about = json.loads(files[store.ABOUT])
+        about = json.loads(files[store.METADATA])
         about["plan_file_sha256"] = hashlib.sha256(plan).hexdigest()
         with contextlib.suppress(Exception):  # no plan at all: the reader is to say so
             about["plan_sha256"] = plan_from(json.loads(plan)).digest()
-        return Changed(told, {store.PLAN: plan, store.ABOUT: _json(_sealed(about))})
+        return Changed(told, {store.PLAN: plan, store.METADATA: _json(_sealed(about))})
     lines = [json.loads(line) for line in files[manifest.NAME].splitlines()]
     for _ in range(draw(st.integers(1, 3))):
         k = draw(st.integers(0, len(lines) - 1))

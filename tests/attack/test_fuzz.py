@@ -162,11 +162,11 @@ def test_stored_data_without_what_is_needed_is_refused_by_name() -> None:
         summary = put(summary, ("scenario", "vehicle", *path), value)
         with pytest.raises(InputError, match=said):
             result_files(Changed([], {SUMMARY: json.dumps(with_digest(summary)).encode()}))
-    about = json.loads(campaign()[1][store.ABOUT])
+    about = json.loads(campaign()[1][store.METADATA])
     for name in store._NEEDED:
         less = {key: value for key, value in about.items() if key != name}
         with pytest.raises(InputError, match=f"{name}: is missing"):
-            campaign_files(Changed([], {store.ABOUT: json.dumps(with_digest(less)).encode()}))
+            campaign_files(Changed([], {store.METADATA: json.dumps(with_digest(less)).encode()}))
 
 
 def test_a_manifest_that_tells_fewer_flights_than_its_part_has_rows_is_refused() -> None:

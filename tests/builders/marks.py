@@ -57,3 +57,5 @@ SLOW = (
     "test_mutations.py::test_a_flipped_sign_is_noticed",
     "test_readme.py",
 )
+#: Longest files first, so that no worker is left with one at the end.
+FIRST = ("test_readme.py", "test_examples.py")

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from springback.campaign import envelope
+from springback.campaign import envelope_plan
 from springback.campaign.analysis.envelope import (
     LEVEL,
     Axis,
@@ -14,7 +14,12 @@ from springback.campaign.analysis.envelope import (
     EnvelopeCell,
     spans,
 )
-from springback.campaign.envelope import EnvelopePlan, envelope_cost, fly_envelope, plan_envelope
+from springback.campaign.envelope_plan import (
+    EnvelopePlan,
+    envelope_cost,
+    fly_envelope,
+    plan_envelope,
+)
 from springback.errors import InputError
 from springback.results.flight import fly
 from springback.scenario.scenario import Scenario, scenario_from
@@ -241,7 +246,7 @@ def test_the_same_seed_gives_the_same_map_however_it_is_cut(
 ) -> None:
     words = ("speed=2:3.5:2", "control.time_constant=0.15:0.6:2")
     whole = flown(*words, robots=("arq", "quad"))
-    monkeypatch.setattr(envelope, "FLIGHTS_AT_ONCE", 5)
+    monkeypatch.setattr(envelope_plan, "FLIGHTS_AT_ONCE", 5)
     seen: list[float] = []
     cut = fly_envelope(plan_envelope(*words, robots=("arq", "quad"), trials=2), seen.append)
     assert cut.as_dict() == whole.as_dict()
@@ -300,7 +305,7 @@ def test_where_luck_weighs_too_much_the_cell_cannot_be_flown() -> None:
 
 
 def test_the_outlook_counts_and_flies_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(envelope, "rows", None)
+    monkeypatch.setattr(envelope_plan, "rows", None)
     coming = envelope_cost(axes("speed=1:3:3", "pitch=-15deg:15deg:2", robots=("arq", "quad")))
     assert (coming.cells, coming.flights, coming.duration, coming.kinds) == (12, 24, DURATION, 1)
     two = axes("estimator.kalman.offset.0=0:0.01:2", settings=("estimator.type=perfect",))

@@ -12,7 +12,7 @@ from springback.campaign.access import Campaign
 from springback.campaign.cost_estimate import cost_estimate
 from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import Plan, read_plan
-from springback.campaign.envelope import plan_envelope
+from springback.campaign.envelope_plan import plan_envelope
 from springback.campaign.errors import CampaignError
 from springback.campaign.flying import fly_chunk
 from springback.campaign.running import run_campaign

@@ -13,7 +13,6 @@ import springback
 from builders.campaign_folders import filled
 from builders.plans import PITCH, SPEED, SURFACE, THROW, plan
 from springback.campaign.access import Campaign
-from springback.campaign.analysis.intervals import paired_difference, quantile, ranks, share
 from springback.campaign.analysis.marginals import field_map, fields_of, marginal, scale
 from springback.campaign.analysis.statistics import summary
 from springback.campaign.design.layout import lay_out
@@ -27,6 +26,7 @@ from springback.interfaces.figures.campaign import (
 )
 from springback.interfaces.reports.campaign import summary_text
 from springback.interfaces.reports.campaign_page import words_of_map
+from springback.intervals import paired_difference, quantile, ranks, share
 
 
 @pytest.fixture(scope="module")

@@ -191,9 +191,9 @@ def test_another_campaign_is_refused_and_named(tmp_path: Path) -> None:
 
 def rewrite(folder: Path, versions: dict[str, str] | None = None, **changes: Any) -> None:
     """Have campaign.json say something else, as if it had been begun so."""
-    about = json.loads((folder / store.ABOUT).read_text()) | changes
+    about = json.loads((folder / store.METADATA).read_text()) | changes
     about["versions"] |= versions or {}
-    (folder / store.ABOUT).write_text(json.dumps(with_digest(about)))
+    (folder / store.METADATA).write_text(json.dumps(with_digest(about)))
 
 
 def test_another_source_or_preset_under_the_same_version_is_refused(tmp_path: Path) -> None:
@@ -218,7 +218,7 @@ def test_every_part_says_which_source_and_numbers_flew(tmp_path: Path) -> None:
     told = dict(duckdb.execute(sql, [str(tmp_path / "parts/part-0000000010.parquet")]).fetchall())
     assert told["source"] == store.source() == store.versions()["source"]
     assert told["scenarios"] == design.digest
-    about = json.loads((tmp_path / store.ABOUT).read_text())
+    about = json.loads((tmp_path / store.METADATA).read_text())
     assert about["scenarios"]["arq"]["vehicle"]["arms"]["stiffness"] == 5000.0
     assert about["scenarios"]["arq"]["world"]["obstacles"][0]["surface"]["friction"] > 0.0
 
@@ -243,7 +243,7 @@ def test_a_campaign_that_died_before_it_began_can_be_gone_on_with(tmp_path: Path
     design = lay_out(plan())
     with open_store(tmp_path, design, resume=True) as begun:
         assert begun.done == 0
-    about = json.loads((tmp_path / store.ABOUT).read_text())
+    about = json.loads((tmp_path / store.METADATA).read_text())
     assert about["plan_sha256"] == design.plan.digest()
     assert about["versions"].keys() == {
         "springback", "source", "python", "numpy", "scipy", "numba"

@@ -108,10 +108,10 @@ def test_a_foreign_folders_condition_is_not_run(tmp_path: Path) -> None:
 
         data = json.dumps(given).encode()
         (folder / store.PLAN).write_bytes(data)
-        about = json.loads((folder / store.ABOUT).read_text())
+        about = json.loads((folder / store.METADATA).read_text())
         about["plan_sha256"] = plan_from(given).digest()
         about["plan_file_sha256"] = store.hashlib.sha256(data).hexdigest()
-        (folder / store.ABOUT).write_text(json.dumps(with_digest(about)))
+        (folder / store.METADATA).write_text(json.dumps(with_digest(about)))
         campaign = Campaign(folder)
         if not parts:
             with pytest.raises(InputError, match="success: must be one condition"):
@@ -235,7 +235,7 @@ TORN = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", [store.PLAN, store.ABOUT, manifest.NAME])
+@pytest.mark.parametrize("name", [store.PLAN, store.METADATA, manifest.NAME])
 @pytest.mark.parametrize("kind", TORN)
 def test_a_file_that_is_something_else_is_said_in_one_line(
     tmp_path: Path, name: str, kind: str
@@ -255,7 +255,7 @@ def test_a_file_that_is_something_else_is_said_in_one_line(
 CASES = int(os.environ.get("SPRINGBACK_DAMAGE", "25"))
 
 
-@pytest.mark.parametrize("name", ["part", store.PLAN, store.ABOUT, manifest.NAME])
+@pytest.mark.parametrize("name", ["part", store.PLAN, store.METADATA, manifest.NAME])
 def test_one_byte_anywhere_is_noticed_or_without_effect(tmp_path: Path, name: str) -> None:
     """Was: 369 of 600 changes of a part gave other numbers without a word."""
     filled(tmp_path)

@@ -13,7 +13,7 @@ from builders.scenes import surface
 from builders.user_obstacles import Pole
 from springback.batch.scenarios import fly_scenarios
 from springback.contact.cage import FAR, CageContact
-from springback.contact.hull import hull_contact
+from springback.contact.hull_contact import hull_contact
 from springback.contact.obstacles import Obstacle, Plane, SecondContact
 from springback.contact.restitution import restitution
 from springback.control.runup import reach

@@ -13,7 +13,7 @@ from numpy.polynomial import polynomial
 from scipy.optimize import minimize_scalar
 
 from builders.user_obstacles import Ball, Box, Pole
-from springback.contact.cage import ArmTip, Ring, facing
+from springback.contact.cage import ArmTip, Ring, nearest_face
 from springback.contact.obstacles import (
     InBodyFrame,
     Obstacle,
@@ -70,7 +70,7 @@ def ring_at(shape: Any, centre: Vec, r: Mat3) -> tuple[float, float]:
     gaps = []
     for wrapped in (shape, SecondContact(shape)):
         there = obstacle_in_body_frame(Obstacle(wrapped, None, 0.0), centre, r)  # type: ignore[arg-type]
-        gaps.append(facing(there, EXACT, RADIUS, pose).gap)
+        gaps.append(nearest_face(there.shape, EXACT, RADIUS, pose).gap)
     return gaps[0], gaps[1]
 
 
@@ -349,7 +349,7 @@ def test_planes_are_met_by_the_closed_form_to_the_bit(model: Any) -> None:
         e = Vec(math.cos(angle), math.sin(angle), 0.0)
         pose = ArmPose(e, Vec(e.x * length, e.y * length, 0.0), Vec(0.0, 0.0, 0.0))
         there = obstacle_in_body_frame(Obstacle(Plane(n, offset), None, 0.0), at, r)  # type: ignore[arg-type]
-        found = facing(there, model, RADIUS, pose)
+        found = nearest_face(there.shape, model, RADIUS, pose)
 
         bx = n.x * r.x.x + n.y * r.y.x + n.z * r.z.x
         by = n.x * r.x.y + n.y * r.y.y + n.z * r.z.y

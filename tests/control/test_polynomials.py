@@ -10,7 +10,7 @@ import pytest
 from scipy.interpolate import BPoly
 
 from builders.cases import nonempty
-from springback.control.demands import ROOM, Limits, demands, leaning, level_demands
+from springback.control.demands import ROOM, Limits, demands, level_demands, level_tilt
 from springback.control.polynomials import (
     BoundaryCondition,
     as_reference,
@@ -64,7 +64,7 @@ def test_recovery_of_the_paper_swings_as_printed() -> None:
     )
     curve = quintic(start, end, 0.19 * 3.5, 0.0, 0.0)
     a = [target(curve, t).acceleration.x for t in np.linspace(0.0, 0.665, 2001)]
-    tilt, _ = leaning(np.array(a), 0.0, 9.81)
+    tilt, _ = level_tilt(np.array(a), 0.0, 9.81)
     assert math.degrees(tilt.min()) == pytest.approx(-66.0, abs=0.5)
     assert math.degrees(tilt.max()) == pytest.approx(49.6, abs=0.3)
 

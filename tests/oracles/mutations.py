@@ -37,7 +37,7 @@ QUICK = ("dynamics", "accelerations or locked_arms or textbook or power or gap o
 #: peaks.
 HULL = ("contact/test_hull.py dynamics/test_clearance.py dynamics/test_rigid.py", "not abreast")
 RINGS = ("contact/test_rings.py contact/test_cages.py", "not flight")
-GRIP = ("contact/test_friction_rate.py contact/test_hull.py", "bound or truth or rate")
+GRIP = ("contact/test_step_bounds.py contact/test_hull.py", "bound or truth or rate")
 RULES = ("simulation/test_observed.py", "")
 PEAK = ("simulation/test_peaks.py simulation/test_observed.py", "")
 #: Of impulses: one at a time, and of every setting that asks for them.
@@ -69,8 +69,12 @@ class Mutation(NamedTuple):
 CAGE, SURFACES, MOTION = "contact/cage.py", "contact/surfaces.py", "dynamics/motion.py"
 STATE, ENERGY, VECTORS = "vehicle/state.py", "dynamics/energy.py", "kernels/vectors.py"
 OBSTACLES, STOPS, SOLUTION = "contact/obstacles.py", "dynamics/stops.py", "dynamics/solution.py"
-HULL_CONTACT, HULL_STATE, TOUCHES = "contact/hull.py", "dynamics/hull.py", "dynamics/touches.py"
-RECORD, IMPULSES, GRIPS = "simulation/record.py", "dynamics/impulse.py", "contact/friction_rate.py"
+HULL_CONTACT, HULL_STATE, TOUCHES = (
+    "contact/hull_contact.py",
+    "dynamics/hull_state.py",
+    "dynamics/touches.py",
+)
+RECORD, IMPULSES, GRIPS = "simulation/record.py", "dynamics/impulse.py", "contact/step_bounds.py"
 CLEARANCE, CROSSING = "dynamics/clearance.py", "dynamics/crossing.py"
 PEAKS, RING = "simulation/peaks.py", "contact/rings.py"
 

@@ -15,6 +15,7 @@ import pytest
 from builders.cases import nonempty
 from springback.frames import attitude_from_euler
 from springback.interfaces.reproduction.report import Results, write_report
+from springback.intervals import wilson
 from springback.paper import resilience
 from springback.paper.choices import EKF2
 from springback.paper.printed import RECOVERY_PITCH, SUCCESS, SUCCESS_WORDS
@@ -33,7 +34,6 @@ from springback.paper.resilience import (
 )
 from springback.simulation.measures import Outcome
 from springback.studies.comparison import Mark
-from springback.studies.proportions import wilson
 from springback.studies.run_ups import CONDITIONS
 from springback.studies.trials import HOME, Scatter
 

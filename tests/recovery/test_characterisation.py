@@ -31,7 +31,7 @@ from springback.vehicle.library import VEHICLES
 AIRFRAME = VEHICLES["quad"].vehicle.airframe()
 ARMS, LENGTHS = AIRFRAME.arms, tuple(arm.length for arm in AIRFRAME.arms)
 NONE, LEVEL = Vec(0.0, 0.0, 0.0), Quat(1.0, 0.0, 0.0, 0.0)
-LOOK = RecoverySettings().looks(157.0)
+CHARACTERISATION = RecoverySettings().collision_characterisation(157.0)
 
 
 def attitude(yaw: float, pitch: float = 0.0) -> Quat:
@@ -86,7 +86,7 @@ def characterisation_error(
     yaw: float = 0.0,
     pitch: float = 0.0,
     pressed: tuple[float, ...] = (0.0,) * 4,
-    look: Characterisation = LOOK,
+    settings: Characterisation = CHARACTERISATION,
     law: Any = characterise,
 ) -> Collision:
     """A collision with an upright wall.
@@ -98,7 +98,7 @@ def characterisation_error(
         yaw: Of the robot [deg].
         pitch: Of the robot, positive nose down [deg].
         pressed: Largest compression of each arm [m].
-        look: Settings.
+        settings: Settings.
         law: `characterise`, or its twin.
     """
     q = attitude(yaw, pitch)
@@ -109,7 +109,7 @@ def characterisation_error(
     found = no_observation(AIRFRAME)._replace(pressed=pressed, attitude=q, lengths=LENGTHS)
     at = Estimate(Vec(1.0, 2.0, 3.0), q, NONE, NONE)
     start = CollisionStart(Vec(1.0, 2.0, 3.0), Vec(1.0, 0.0, 0.0))
-    said: Collision = law(look, inputs(seen(), at, wrench_of(blow)), found, start)
+    said: Collision = law(settings, inputs(seen(), at, wrench_of(blow)), found, start)
     return said
 
 
@@ -173,7 +173,11 @@ def test_the_source_that_is_chosen_is_relied_on(source: str) -> None:
     settings = RecoverySettings.model_validate({"characterisation": {"source": source}})
     pressed = (5e-3, 0.0, 0.0, 0.0)
     hit = characterisation_error(
-        level(20.0), 0.3, {0: 2.0}, pressed=pressed, look=settings.looks(157.0)
+        level(20.0),
+        0.3,
+        {0: 2.0},
+        pressed=pressed,
+        settings=settings.collision_characterisation(157.0),
     )
     ways = {
         "arms": hit.by_arms, "wrench": hit.by_wrench, "fused": hit.by_fusion,
@@ -186,7 +190,9 @@ def test_the_accelerometer_points_away_from_the_obstacle() -> None:
     """The wall is where the specific force comes from: the robot is pushed the other way."""
     found = no_observation(AIRFRAME)._replace(jolted=Vec(-30.0, 40.0, 0.0), lengths=LENGTHS)
     at, words = Estimate(NONE, LEVEL, NONE, NONE), wrench_of(RecentImpulse(*(NONE,) * 7))
-    hit = characterise(LOOK, inputs(seen(), at, words), found, CollisionStart(NONE, NONE))
+    hit = characterise(
+        CHARACTERISATION, inputs(seen(), at, words), found, CollisionStart(NONE, NONE)
+    )
     assert hit.by_acceleration == pytest.approx((0.6, -0.8, 0.0))
     assert hit.by_fusion == hit.by_wrench == NONE
 
@@ -198,7 +204,9 @@ def test_without_any_push_the_way_of_flight_is_taken() -> None:
 
 def test_obstacles_that_may_lean_have_no_normal_by_fusion() -> None:
     anywhere = RecoverySettings.model_validate({"characterisation": {"level": False}})
-    hit = characterisation_error(level(20.0), 0.3, {0: 2.0}, look=anywhere.looks(157.0))
+    hit = characterisation_error(
+        level(20.0), 0.3, {0: 2.0}, settings=anywhere.collision_characterisation(157.0)
+    )
     assert hit.by_fusion == NONE
     assert hit.direction == hit.by_wrench
 
@@ -240,12 +248,12 @@ def test_what_was_strongest_is_kept_and_clipped_readings_say_no_direction() -> N
     so_far = no_observation(AIRFRAME)
     for reading in (40.0, 90.0, 150.0, 60.0):
         now = inputs(seen(Vec(-reading, 0.0, 9.81)), at, nothing)
-        so_far = observation_after(LOOK, now, so_far)
+        so_far = observation_after(CHARACTERISATION, now, so_far)
     assert so_far.ticks == 4.0
     assert norm(so_far.jolted - Vec(0.0, -90.0, 0.0)) < 1e-9  # body x is world y
     assert so_far.clipped == 3.0  # the third of four
-    assert is_within(LOOK.limit, Vec(0.0, -100.0, 0.0))
-    assert not is_within(LOOK.limit, Vec(0.0, 0.0, 150.0))
+    assert is_within(CHARACTERISATION.limit, Vec(0.0, -100.0, 0.0))
+    assert not is_within(CHARACTERISATION.limit, Vec(0.0, 0.0, 150.0))
 
 
 def test_it_looks_longer_only_where_nothing_but_a_clipped_accelerometer_felt_it() -> None:
@@ -254,9 +262,9 @@ def test_it_looks_longer_only_where_nothing_but_a_clipped_accelerometer_felt_it(
 
     def enough(at: int, clipped: float, pressed: float, second: float = 0.0) -> bool:
         found = clear._replace(ticks=float(at), clipped=clipped, pressed=(pressed, 0.0, 0.0, 0.0))
-        return bool(window_is_over(LOOK, found, (1.0, second, 0.0, 0.0), 1e-3 * at))
+        return bool(window_is_over(CHARACTERISATION, found, (1.0, second, 0.0, 0.0), 1e-3 * at))
 
-    window, longer = round(1e3 * LOOK.window), round(1e3 * LOOK.longer)
+    window, longer = round(1e3 * CHARACTERISATION.window), round(1e3 * CHARACTERISATION.longer)
     assert not enough(window - 1, 0.0, 0.0)
     assert enough(window + 1, 0.0, 0.0)
     assert enough(window + 1, 8.0, 5e-3)
@@ -285,5 +293,5 @@ def test_plain_and_compiled_are_twins() -> None:
     at, force = Estimate(NONE, attitude(30.0), NONE, NONE), seen(Vec(-40.0, 3.0, 9.81))
     words = wrench_of(blow_of(rotation(LEVEL), level(0.0), {0: np.ones(3)}))
     now = inputs(force, at, words)
-    plain_seen = observation_after(LOOK, now, so_far)
-    assert leaves(seen_once(LOOK, now, so_far)) == leaves(plain_seen)
+    plain_seen = observation_after(CHARACTERISATION, now, so_far)
+    assert leaves(seen_once(CHARACTERISATION, now, so_far)) == leaves(plain_seen)

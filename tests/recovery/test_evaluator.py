@@ -31,7 +31,7 @@ def thinking(phase: float, alarm: float = NOT_YET) -> RecoveryPilotMemory:
     recovery_state = memory.recovery_state
     log = recovery_state.log._replace(alarm=alarm)
     return memory._replace(
-        recovery_state=recovery_state._replace(phase=phase, goal=GOAL, log=log, since=alarm)
+        recovery_state=recovery_state._replace(phase=phase, goal=GOAL, log=log, phase_start=alarm)
     )
 
 

@@ -8,7 +8,7 @@ import pytest
 from springback.control.target import target
 from springback.kernels.vectors import Quat, Vec
 from springback.recovery.characterisation import Collision
-from springback.recovery.parameters import Answering
+from springback.recovery.parameters import ResponseSettings
 from springback.recovery.response import Staged, TimeOptimal, homeward, recovery_plan, rush
 from springback.sensing.measurement import Estimate
 
@@ -41,7 +41,7 @@ def test_pre_impact_asks_for_the_printed_pitch() -> None:
     struck = hit(3.5)
     goal = struck.position - NORTH * 0.1
     plan = recovery_plan(
-        Answering().response(), struck, goal, believed(struck.position, STILL), 2.0, 0.0
+        ResponseSettings().response(), struck, goal, believed(struck.position, STILL), 2.0, 0.0
     )
     assert plan.ends == pytest.approx(2.0 + 0.19 * 3.5)
     _, way = sampled(plan.reference, 2.0, plan.ends)
@@ -54,7 +54,7 @@ def test_pre_impact_asks_for_the_printed_pitch() -> None:
 def test_a_quintic_begins_as_named_and_ends_at_rest(way: str) -> None:
     struck, goal = hit(2.0), Vec(2.4, 0.1, 0.9)
     here = believed(Vec(2.48, 0.05, 0.97), Vec(-0.8, 0.2, 0.1))
-    plan = recovery_plan(Answering(way=way).response(), struck, goal, here, 3.0, 0.3)
+    plan = recovery_plan(ResponseSettings(way=way).response(), struck, goal, here, 3.0, 0.3)
     first, last = target(plan.reference, 3.0), target(plan.reference, plan.ends + 1e-9)
     begins = (
         (struck.position, struck.velocity)
@@ -69,7 +69,7 @@ def test_a_quintic_begins_as_named_and_ends_at_rest(way: str) -> None:
 def test_a_set_point_is_there_at_once() -> None:
     struck, goal = hit(2.0), Vec(2.4, 0.0, 1.0)
     plan = recovery_plan(
-        Answering(way="set-point").response(), struck, goal, believed(goal, STILL), 3.0, 0.0
+        ResponseSettings(way="set-point").response(), struck, goal, believed(goal, STILL), 3.0, 0.0
     )
     soon = target(plan.reference, 3.002)
     assert (soon.position, soon.velocity, soon.acceleration) == (goal, STILL, STILL)
@@ -141,7 +141,7 @@ def test_what_is_no_response_is_refused() -> None:
 
 
 def test_staged_holds_where_it_is_after_its_stages() -> None:
-    response, here = Answering(way="staged").response(), Vec(2.2, 0.3, 0.8)
+    response, here = ResponseSettings(way="staged").response(), Vec(2.2, 0.3, 0.8)
     assert isinstance(response, Staged)
     plan = recovery_plan(response, hit(2.0), here, believed(here, Vec(-1.0, 0.0, 0.0)), 4.0, 0.0)
     held = target(plan.reference, 4.5)

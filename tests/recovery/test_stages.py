@@ -9,7 +9,7 @@ from springback.control.parameters import ControlSettings
 from springback.frames import attitude_from_euler
 from springback.kernels.vectors import Quat, Vec, rotation
 from springback.recovery.characterisation import Collision
-from springback.recovery.parameters import Answering
+from springback.recovery.parameters import ResponseSettings
 from springback.recovery.stages import DAMPING, LEVELLING, OVER, TILTING, Stage, stage_command
 from springback.sensing.measurement import Estimate
 
@@ -18,7 +18,7 @@ HIT = Collision(
     STILL, NORTH, NORTH, STILL, STILL, STILL, STILL, STILL, (1.0, 1.0, 0.0, 0.0), 50.0
 )  # fmt: skip
 LAW = ControlSettings().position_law(1.4, 9.81)
-RESPONSE = Answering(way="staged").response()
+RESPONSE = ResponseSettings(way="staged").response()
 AWAY = -math.atan(0.75)  # pitch of the first stage: nose up, away from a wall in the north
 
 

@@ -17,10 +17,10 @@ from springback.recovery.state_machine import (
     RETURN,
     STAGES,
     DelayedReference,
+    JerkFreeReference,
     RecoveryState,
-    SmoothReturn,
     on_alarm,
-    on_characterised,
+    on_characterisation,
     on_phase_end,
     phase_end,
     recovery_at_start,
@@ -58,10 +58,10 @@ def travelled(
 ) -> RecoveryState:
     """A tick without an alarm."""
     passed = phase_end(route, recovery_state, here, time)
-    recovery_state = recovery_state._replace(near=passed.near)
+    recovery_state = recovery_state._replace(near_since=passed.near_since)
     return (
         on_phase_end(route, recovery_state, hit, here, time, yaw)
-        if passed.turns
+        if passed.is_over
         else recovery_state
     )
 
@@ -84,45 +84,51 @@ def test_the_way_leads_to_a_point_before_the_obstacle() -> None:
     """p_r = p_c − δ f_c⁰, eq. (17), with δ = L_c = 0.1 m."""
     looking = on_alarm(begun(), 3.0)
     assert (looking.phase, looking.log.alarm) == (LOOK, 3.0)
-    gone = on_characterised(ROUTE, looking, HIT, at(HIT.position), 3.01, 0.0)
+    gone = on_characterisation(ROUTE, looking, HIT, at(HIT.position), 3.01, 0.0)
     assert gone.phase == RECOVER
     assert gone.goal == pytest.approx(HIT.position - WALL * 0.1)
     assert gone.log.planned == 3.01
 
 
 def test_it_goes_home_once_it_has_rested_and_not_before() -> None:
-    gone = on_characterised(ROUTE, on_alarm(begun(), 3.0), HIT, at(HIT.position), 3.01, 0.0)
+    gone = on_characterisation(ROUTE, on_alarm(begun(), 3.0), HIT, at(HIT.position), 3.01, 0.0)
     near = gone.goal + Vec(0.05, 0.0, 0.0)
     stay = SETTINGS.settling.stay
-    waiting = rested(gone, near, 3.01, gone.ends + stay - 0.05)
+    waiting = rested(gone, near, 3.01, gone.reference_end + stay - 0.05)
     assert waiting.phase == RECOVER
-    homing = rested(gone, near, 3.01, gone.ends + stay + 0.05)
+    homing = rested(gone, near, 3.01, gone.reference_end + stay + 0.05)
     assert (homing.phase, homing.goal) == (RETURN, HOME)
-    hovering = rested(homing, HOME, homing.since, homing.ends + stay + 0.05)
+    hovering = rested(homing, HOME, homing.phase_start, homing.reference_end + stay + 0.05)
     assert hovering.phase == HOVER
     assert hovering.log.runs == 1.0
 
 
 def test_moving_or_far_is_no_rest() -> None:
-    gone = on_characterised(ROUTE, on_alarm(begun(), 3.0), HIT, at(HIT.position), 3.01, 0.0)
+    gone = on_characterisation(ROUTE, on_alarm(begun(), 3.0), HIT, at(HIT.position), 3.01, 0.0)
     far = gone.goal + Vec(0.11, 0.0, 0.0)
-    assert rested(gone, far, 3.01, gone.ends + SETTINGS.settling.patience - 0.1).phase == RECOVER
+    assert (
+        rested(gone, far, 3.01, gone.reference_end + SETTINGS.settling.patience - 0.1).phase
+        == RECOVER
+    )
     fast = gone
     for k in range(200):
         fast = travelled(ROUTE, fast, HIT, at(gone.goal, Vec(0.31, 0.0, 0.0)), 3.01 + 0.01 * k, 0.0)
     assert fast.phase == RECOVER
-    assert rested(gone, far, 3.01, gone.ends + SETTINGS.settling.patience + 0.1).phase == RETURN
+    assert (
+        rested(gone, far, 3.01, gone.reference_end + SETTINGS.settling.patience + 0.1).phase
+        == RETURN
+    )
 
 
 def test_it_sets_out_again_as_often_as_asked() -> None:
     route = RecoverySettings(runs=2).route(HOME)
     recovery_state = on_alarm(begun(), 3.0)
-    recovery_state = on_characterised(route, recovery_state, HIT, at(HIT.position), 3.01, 0.0)
+    recovery_state = on_characterisation(route, recovery_state, HIT, at(HIT.position), 3.01, 0.0)
     recovery_state = rested(recovery_state, recovery_state.goal, 3.01, 5.0, route)
     recovery_state = rested(recovery_state, HOME, 5.0, 12.0, route)
     assert (recovery_state.phase, recovery_state.log.runs) == (CRUISE, 1.0)
-    assert recovery_state.away == pytest.approx(recovery_state.log.home)
-    again = on_characterised(
+    assert recovery_state.run_start == pytest.approx(recovery_state.log.home)
+    again = on_characterisation(
         route, on_alarm(recovery_state, 20.0), HIT, at(HIT.position), 20.01, 0.0
     )
     again = rested(again, again.goal, 20.01, 22.0, route)
@@ -131,13 +137,13 @@ def test_it_sets_out_again_as_often_as_asked() -> None:
 
 def test_without_return_it_stays() -> None:
     route = RecoverySettings(returns=False).route(HOME)
-    gone = on_characterised(route, on_alarm(begun(), 3.0), HIT, at(HIT.position), 3.01, 0.0)
+    gone = on_characterisation(route, on_alarm(begun(), 3.0), HIT, at(HIT.position), 3.01, 0.0)
     assert rested(gone, gone.goal, 3.01, 5.0, route).goal == gone.goal
 
 
 def test_stages_come_first_where_a_response_has_them() -> None:
     route = RecoverySettings(response={"way": "staged"}).route(HOME)
-    recovery_state = on_characterised(
+    recovery_state = on_characterisation(
         route, on_alarm(recovery_at_start(route, HIT), 3.0), HIT, at(HOME), 3.01, 0.0
     )
     assert recovery_state.phase == STAGES
@@ -148,12 +154,12 @@ def test_stages_come_first_where_a_response_has_them() -> None:
 
 def test_ways_of_legs() -> None:
     """The run-up of a later run begins when that run does; no jerk is handed on after a hit."""
-    cruise = begun().homeward  # any polynomial will do
-    recovery_state = on_characterised(
+    cruise = begun().return_reference  # any polynomial will do
+    recovery_state = on_characterisation(
         ROUTE, on_alarm(begun(), 3.0), HIT, at(HIT.position), 3.01, 0.0
     )
     assert target(DelayedReference(cruise, 7.0), 7.5) == target(cruise, 0.5)
-    after = target(SmoothReturn(recovery_state.recovery), 3.05)
-    plain = target(recovery_state.recovery, 3.05)
+    after = target(JerkFreeReference(recovery_state.recovery_reference), 3.05)
+    plain = target(recovery_state.recovery_reference, 3.05)
     assert (after.position, after.acceleration) == (plain.position, plain.acceleration)
     assert after.jerk == STILL != plain.jerk

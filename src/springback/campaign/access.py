@@ -17,10 +17,10 @@ from springback.campaign.columns import known_columns
 from springback.campaign.design.layout import Design, lay_out
 from springback.campaign.design.plan import Source
 from springback.campaign.store import (
-    ABOUT,
-    about,
+    METADATA,
     empty_rows,
     is_disk,
+    read_metadata,
     rows_of,
     stored_plan,
 )
@@ -86,9 +86,9 @@ class Campaign:
         """
         self.folder = Path(folder)
         self._counted = False
-        self.about = about(self.folder)
+        self.metadata = read_metadata(self.folder)
         self.parts = manifest.read(self.folder / manifest.NAME)
-        flights = self.about["flights"]
+        flights = self.metadata["flights"]
         if self.parts and self.parts[-1].last > flights:
             raise InputError(
                 f"{self.folder / manifest.NAME}: holds flights up to {self.parts[-1].last - 1}, "
@@ -114,19 +114,19 @@ class Campaign:
     @property
     def complete(self) -> bool:
         """True if all flights are stored."""
-        return self.done == int(self.about["flights"])
+        return self.done == int(self.metadata["flights"])
 
     def stored_flights(self) -> list[int]:
         """Numbers of the flights whose trajectories are stored, in ascending order."""
         found = (KEPT_NAME.fullmatch(path.name) for path in (self.folder / KEPT).glob("*.json"))
         numbers = (int(name[1]) for name in found if name)
-        return sorted(number for number in numbers if number < self.about["flights"])
+        return sorted(number for number in numbers if number < self.metadata["flights"])
 
     @property
     def units(self) -> dict[str, str]:
         """SI units of all columns."""
         known = {name: unit for name, (unit, _) in known_columns().items()}
-        return known | dict(self.about["units"])
+        return known | dict(self.metadata["units"])
 
     def _ask(
         self,
@@ -255,7 +255,7 @@ class Campaign:
         Raises:
             InputError: If the flight does not exist or has not been flown.
         """
-        flights = self.about["flights"]
+        flights = self.metadata["flights"]
         if not 0 <= number < flights:
             raise InputError(f"flight {number}: must be from 0 to {flights - 1}")
         found = self.query("SELECT * FROM flights WHERE flight = ?", [number]).as_dicts()
@@ -278,7 +278,7 @@ class Campaign:
         if row["outcome"] == "refused":
             raise InputError(f"flight {number}: could not be flown: {row['problem']}")
         drawn = self.design.slice(number, number + 1)
-        if changed := changed_files(self.about["code"]):
+        if changed := changed_files(self.metadata["code"]):
             raise InputError(f"{', '.join(changed)}: has changed since the campaign was flown")
         flight = fly(drawn.tables[0], trajectory=trajectory)
         now = {name: values[0] for name, values in drawn.columns.items()}
@@ -366,7 +366,7 @@ class Campaign:
 def is_campaign(folder: Path) -> bool:
     """True if a folder holds a campaign."""
     try:
-        return (folder / ABOUT).is_file()
+        return (folder / METADATA).is_file()
     except (OSError, ValueError):  # an impossible file name
         return False
 

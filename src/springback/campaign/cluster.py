@@ -105,18 +105,18 @@ def fly_on_cluster(
         CampaignError: If the scheduler is lost, or a worker that joins has other versions.
     """
     distributed = needs("distributed", "cluster")
-    crew = _Workers(client, remark)
+    workers = _Workers(client, remark)
     waiting, flying = deque(chunks), dict[Any, Chunk]()
     stem = f"springback-{uuid.uuid4().hex[:8]}"
     try:
         while waiting or flying:
-            while waiting and len(flying) < AHEAD * max(1, crew.threads):
+            while waiting and len(flying) < AHEAD * max(1, workers.threads):
                 chunk = waiting.popleft()
                 key = f"{stem}-{chunk[0]}"
                 flying[client.submit(fly_remotely, text, chunk, key=key, pure=False)] = chunk
-            for future in _completed(distributed, client, list(flying)):
+            for future in _done_futures(distributed, client, list(flying)):
                 yield _answer(distributed, future, flying.pop(future))
-            crew.look()
+            workers.look()
     finally:
         for future in flying:
             future.release()  # it is no longer needed
@@ -180,7 +180,7 @@ class _Workers:
         self.known = now
 
 
-def _completed(distributed: Any, client: Any, futures: list[Any]) -> list[Any]:
+def _done_futures(distributed: Any, client: Any, futures: list[Any]) -> list[Any]:
     """Futures that are done, possibly none."""
     if client.status not in ("running", "connecting"):
         raise CampaignError("the connection to the scheduler is lost")

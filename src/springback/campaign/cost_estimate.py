@@ -16,7 +16,7 @@ import numpy as np
 from springback.batch.scenarios import fly_scenarios
 from springback.campaign.design.layout import Design
 from springback.campaign.flying import try_code
-from springback.campaign.running import in_time
+from springback.campaign.running import duration_text
 from springback.campaign.store import write_rows
 from springback.errors import InputError
 from springback.kernels.compiler import cache_folder, is_writable
@@ -78,13 +78,13 @@ class CostEstimate:
             f"{self.kinds} {'kind' if self.kinds == 1 else 'kinds'} of flight; "
             f"{self.rate:.3g} flights/s on one core, measured on {self.tried} flights just flown",
             self._kernels(),
-            f"about {in_time(self.time)} with {self.workers} "
+            f"about {duration_text(self.time)} with {self.workers} "
             f"{'worker' if self.workers == 1 else 'workers'} on an idle machine of {self.cores} "
             f"{'core' if self.cores == 1 else 'cores'}, {_size(self.bytes)} on the disk",
         ]
         if self.loaded_time > NOTICED * self.time:
             lines.append(
-                f"about {in_time(self.loaded_time)} if other work goes on: the load is now "
+                f"about {duration_text(self.loaded_time)} if other work goes on: the load is now "
                 f"{self.load:.1f} processes"
             )
         if self.refused:
@@ -93,7 +93,7 @@ class CostEstimate:
 
     def _kernels(self) -> str:
         """Sentence on the kernels of these kinds of flight."""
-        took = in_time(self.setup)
+        took = duration_text(self.setup)
         if not self.compiled:
             return f"kernels: compiled before; each worker loads them, in about {took}"
         if self.cached:
@@ -109,7 +109,7 @@ def cost_estimate(design: Design, workers: int | None = None) -> CostEstimate:
         workers: Number of processes; by default that of the cores.
     """
     try_code(design)
-    crew = workers or os.cpu_count() or 1
+    workers = workers or os.cpu_count() or 1
     numbers = np.unique(np.linspace(0, design.flights - 1, TRIED).astype(int)).tolist()
     drawn = [design.slice(k, k + 1) for k in numbers]
     tables = [one.tables[0] for one in drawn]
@@ -127,14 +127,14 @@ def cost_estimate(design: Design, workers: int | None = None) -> CostEstimate:
     rows = {**columns, "outcome": ended.outcomes, "problem": ended.problems, **ended.measures}
     problems = [problem for problem in ended.problems if problem]
     cores = os.cpu_count() or 1
-    busy = min(crew, cores)
+    busy = min(workers, cores)
     alone, start = design.flights / (rate * busy), 0.0 if compiled and cached else setup
-    slower = max(1.0, (load + crew) / cores)
+    slower = max(1.0, (load + workers) / cores)
     return CostEstimate(
         design.flights, design.samples, design.plan.repeats, design.robots,
         sum(not one.scatter for one in design.dimensions), len(tables), len(problems),
         problems[0] if problems else "", kinds_of(tables), compiled or not cached, cached, setup,
-        rate, crew, cores, load, start + alone, start + alone * slower,
+        rate, workers, cores, load, start + alone, start + alone * slower,
         round(_bytes_each(rows, design) * design.flights),
     )  # fmt: skip
 

@@ -62,7 +62,7 @@ class CampaignProgress:
         if self.rate > 0.0:
             parts.append(f"{self.rate:.0f} flights/s")
         if self.time_left:
-            parts.append(f"{in_time(self.time_left)} left")
+            parts.append(f"{duration_text(self.time_left)} left")
         if self.refused:
             parts.append(f"{self.refused} refused")
         if self.ledger_open:
@@ -70,7 +70,7 @@ class CampaignProgress:
         return ", ".join(parts)
 
 
-def in_time(seconds: float) -> str:
+def duration_text(seconds: float) -> str:
     """Time as text."""
     minutes, rest = divmod(round(seconds), 60)
     hours, minutes = divmod(minutes, 60)
@@ -87,15 +87,16 @@ class _Counter:
     given_up: int = 0
     warm: bool = False
     """False if the first part, which may include compilation, is excluded from the rate."""
-    came: deque[tuple[float, int]] = field(default_factory=lambda: deque(maxlen=RECENT))
+    recent: deque[tuple[float, int]] = field(default_factory=lambda: deque(maxlen=RECENT))
+    """Times [s] and flights stored by then."""
 
-    def now(self) -> CampaignProgress:
+    def progress(self) -> CampaignProgress:
         done = self.store.done
-        self.came.append((time.monotonic(), done))
-        if len(self.came) == 3 and not self.warm:
-            self.came.popleft()
+        self.recent.append((time.monotonic(), done))
+        if len(self.recent) == 3 and not self.warm:
+            self.recent.popleft()
             self.warm = True
-        (then, before), (last, _) = self.came[0], self.came[-1]
+        (then, before), (last, _) = self.recent[0], self.recent[-1]
         rate = (done - before) / (last - then) if last > then else 0.0
         parts = self.store.parts
         refused = sum(part.refused for part in parts)
@@ -147,42 +148,42 @@ def run_campaign(
     if not isinstance(plan, Plan | Design):
         raise InputError(f"plan must be a springback.Plan (got {source_text(plan)})")
     design = plan if isinstance(plan, Design) else lay_out(plan)
-    crew = _at_least_one("workers", workers, os.cpu_count() or 1)
+    workers = _at_least_one("workers", workers, os.cpu_count() or 1)
     on_gpu = device == "gpu"
     wanted = _at_least_one("chunk", chunk, GPU_CHUNK if on_gpu else CHUNK)
     if on_gpu:
         _check_gpu(scheduler)
-    folder, say = Path(folder), remark or _silent
+    folder, remark, progress = Path(folder), remark or _silent, progress or _silent
     check_conditions(design)
     try_code(design, device)
-    team = _team(scheduler, crew, device, tls, say)
-    with team as fly, open_store(folder, design, resume=resume) as store:
+    flyer = _chunk_flyer(scheduler, workers, device, tls, remark)
+    with flyer as fly, open_store(folder, design, resume=resume) as store:
         for line in [*changed_versions(folder), *store.checked_parts()]:
-            say(line)
-        fair = -(-(design.flights - store.done) // ((1 if on_gpu else SHARES) * crew))
+            remark(line)
+        fair = -(-(design.flights - store.done) // ((1 if on_gpu else SHARES) * workers))
         size = wanted if chunk else max(1, min(wanted, fair))
         chunks = store.missing(size)
-        watch, failed = _Counter(store), list[GivenUp]()
-        tell = progress or _silent
-        tell(watch.now())
-        with contextlib.closing(fly(design.plan.canonical(), chunks, say)) as coming:
-            for one in coming:
-                if isinstance(one, ChunkRows):
-                    _check_code(design, one.code)
-                    store.add(*one.chunk, one.columns)
+        counter, failed = _Counter(store), list[GivenUp]()
+        progress(counter.progress())
+        with contextlib.closing(fly(design.plan.canonical(), chunks, remark)) as results:
+            for result in results:
+                if isinstance(result, ChunkRows):
+                    _check_code(design, result.code)
+                    store.add(*result.chunk, result.columns)
                 else:
-                    failed.append(one)
-                    watch.given_up += one.chunk[1] - one.chunk[0]
-                    say(f"flights {one.chunk[0]} to {one.chunk[1] - 1} are given up: {one.why}")
-                    _note(folder, one)
-                tell(watch.now())
+                    failed.append(result)
+                    first, last = result.chunk
+                    counter.given_up += last - first
+                    remark(f"flights {first} to {last - 1} are given up: {result.why}")
+                    _log_failure(folder, result)
+                progress(counter.progress())
         if failed:
             raise CampaignError(
-                f"{watch.given_up} flights were given up: {failed[0].why}; {store.done} of "
+                f"{counter.given_up} flights were given up: {failed[0].why}; {store.done} of "
                 f"{design.flights} are kept, and --resume tries the others again"
             )
         campaign = Campaign(folder)
-        campaign.keep(say)
+        campaign.keep(remark)
     return campaign
 
 
@@ -201,17 +202,17 @@ Fly = Callable[[str, list[Chunk], Remark], Generator[ChunkRows | GivenUp]]
 
 
 @contextlib.contextmanager
-def _team(
-    scheduler: str | None, crew: int, device: Device, tls: Tls | None, remark: Remark
+def _chunk_flyer(
+    scheduler: str | None, workers: int, device: Device, tls: Tls | None, remark: Remark
 ) -> Iterator[Fly]:
-    """Flying function: processes of this machine, or a cluster."""
+    """Function that flies chunks, by processes of this machine or on a cluster."""
     if scheduler is None:
-        yield lambda text, chunks, say: fly_locally(text, chunks, crew, say, device)
+        yield lambda text, chunks, remark: fly_locally(text, chunks, workers, remark, device)
         return
     from springback.campaign.cluster import cluster_client, fly_on_cluster
 
     with cluster_client(scheduler, tls, remark) as client:
-        yield lambda text, chunks, say: fly_on_cluster(text, chunks, client, say)
+        yield lambda text, chunks, remark: fly_on_cluster(text, chunks, client, remark)
 
 
 def _check_gpu(scheduler: str | None) -> None:
@@ -233,8 +234,8 @@ def _silent(_: Any) -> None:
     """Discard progress and messages."""
 
 
-def _note(folder: Path, one: GivenUp) -> None:
-    """Store the traceback of a failed chunk."""
-    if one.details:
+def _log_failure(folder: Path, lost: GivenUp) -> None:
+    """Store the traceback of a chunk that was given up."""
+    if lost.details:
         with (folder / "problems.log").open("a", encoding="utf-8") as file:
-            file.write(f"flights {one.chunk[0]} to {one.chunk[1] - 1}\n{one.details}\n")
+            file.write(f"flights {lost.chunk[0]} to {lost.chunk[1] - 1}\n{lost.details}\n")

@@ -2,9 +2,10 @@
 
 plan.json       the plan with its scenario
 campaign.json   time, host and versions at its start
-manifest.jsonl    manifest of the parts
+manifest.jsonl  manifest of the parts
 parts/          rows as Parquet
 kept/           trajectories of selected flights
+aside/          damaged or unlisted parts
 """
 
 from __future__ import annotations
@@ -42,7 +43,7 @@ from springback.simulation.measures import MEASURES
 from springback.version import __version__
 
 Columns = Mapping[str, Any]
-PLAN, ABOUT, ASIDE, LOCK, HOLDER = (
+PLAN, METADATA, QUARANTINE, LOCK, HOLDER = (
     "plan.json", "campaign.json", "aside", ".lock", ".holder.json",
 )  # fmt: skip
 #: Packages whose versions can affect the last digits of a result.
@@ -146,9 +147,9 @@ class Store:
     def _set_aside(self, path: Path) -> str:
         if not path.exists():
             return ""
-        aside = self.folder / ASIDE
-        aside.mkdir(exist_ok=True)
-        free = (aside / f"{path.name}.{k}" for k in range(10**9))
+        quarantine = self.folder / QUARANTINE
+        quarantine.mkdir(exist_ok=True)
+        free = (quarantine / f"{path.name}.{k}" for k in range(10**9))
         there = next(target for target in free if not target.exists())
         os.replace(path, there)
         return str(there.relative_to(self.folder))
@@ -229,7 +230,7 @@ def open_store(folder: Path, design: Design, *, resume: bool) -> Iterator[Store]
     """
     if folder.exists() and not folder.is_dir():
         raise InputError(f"--out {folder}: is a file, not a folder")
-    begun = (folder / ABOUT).exists()
+    begun = (folder / METADATA).exists()
     names = {path.name for path in folder.iterdir()} if folder.exists() else set[str]()
     others = {name for name in names - EARLY if not name.endswith(DRAFT)}
     if others and not begun:
@@ -297,7 +298,7 @@ def _begin(folder: Path, design: Design) -> None:
         "units": design.units, "code": design.code, "scenarios_sha256": design.digest,
         "scenarios": dict(zip(design.robots, design.full_scenarios, strict=True)),
     }  # fmt: skip
-    write_atomically(folder / ABOUT, json_text(with_digest(about)), durable=True)
+    write_atomically(folder / METADATA, json_text(with_digest(about)), durable=True)
 
 
 def _cpu() -> str:
@@ -316,17 +317,17 @@ _NEEDED: dict[str, type] = {
 }  # fmt: skip
 
 
-def about(folder: Path) -> dict[str, Any]:
+def read_metadata(folder: Path) -> dict[str, Any]:
     """Validated content of ``campaign.json``.
 
     Raises:
         InputError: If it is missing, cannot be read, or was altered.
     """
-    path = folder / ABOUT
+    path = folder / METADATA
     try:
         found = read_object(path)
     except FileNotFoundError:
-        raise InputError(f"{folder}: has no campaign ({ABOUT} is missing)") from None
+        raise InputError(f"{folder}: has no campaign ({METADATA} is missing)") from None
     if not is_sealed(found):
         raise InputError(f"{path}: is damaged, or was written by another version or edited")
     for name, kind in _NEEDED.items():
@@ -341,7 +342,7 @@ def stored_plan(folder: Path) -> Plan:
     Raises:
         InputError: If it cannot be read, or was altered.
     """
-    path, known = folder / PLAN, about(folder)
+    path, known = folder / PLAN, read_metadata(folder)
     try:
         given = read_object(path)
         digest = file_digest(path)
@@ -353,13 +354,13 @@ def stored_plan(folder: Path) -> Plan:
         raise InputError(f"{path}: scenario: must be a table")
     plan = plan_from(given)
     if plan.digest() != known["plan_sha256"]:
-        raise InputError(f"{path}: is not the plan that {ABOUT} names")
+        raise InputError(f"{path}: is not the plan that {METADATA} names")
     return plan
 
 
 def _check_same(folder: Path, design: Design) -> None:
     """Reject another plan, seed, version, source or preset."""
-    known = about(folder)
+    known = read_metadata(folder)
     pairs = {
         "seed": (known["seed"], design.plan.seed),
         "springback's version": (known["versions"].get("springback"), __version__),
@@ -399,7 +400,7 @@ def _difference(folder: Path, design: Design) -> str:
 
 def changed_versions(folder: Path) -> list[str]:
     """Messages about versions and processor that have changed since the campaign was started."""
-    known, now = about(folder), versions()
+    known, now = read_metadata(folder), versions()
     before = known["versions"]
     said = [
         f"{name} was {before.get(name)} and is {now[name]}; last digits may differ"

@@ -142,24 +142,24 @@ def fly_locally(
         CampaignError: If workers cannot start.
     """
     waiting, strikes = deque(chunks), Counter[Chunk]()
-    crew = [_Worker(text, device) for _ in range(min(workers, len(waiting)))]
-    for worker in crew:
+    running = [_Worker(text, device) for _ in range(min(workers, len(waiting)))]
+    for worker in running:
         worker.fly(waiting.popleft())
     try:
-        while crew:
-            heard: list[Any] = wait([worker.line for worker in crew])
-            for worker in [worker for worker in crew if worker.line in heard]:
+        while running:
+            heard: list[Any] = wait([worker.line for worker in running])
+            for worker in [worker for worker in running if worker.line in heard]:
                 try:
                     answer = worker.line.recv()
                 except (EOFError, OSError):
-                    crew.remove(worker)
+                    running.remove(worker)
                     lost = _record_loss(worker, strikes, remark)
                     if lost is None:
                         assert worker.chunk is not None
                         waiting.appendleft(worker.chunk)
                     if waiting:
-                        crew.append(_Worker(text, device))
-                        crew[-1].fly(waiting.popleft())
+                        running.append(_Worker(text, device))
+                        running[-1].fly(waiting.popleft())
                     if lost is not None:
                         yield lost
                     continue
@@ -171,11 +171,11 @@ def fly_locally(
                 if waiting:
                     worker.fly(waiting.popleft())
                 else:
-                    crew.remove(worker)
+                    running.remove(worker)
                     worker.end()
                 yield answer
     finally:
-        for worker in crew:
+        for worker in running:
             worker.end()
 
 

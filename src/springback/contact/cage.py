@@ -10,12 +10,6 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from springback.contact.friction_rate import (
-    ContactStiffness,
-    FrictionDamping,
-    contact_stiffness,
-    friction_damping,
-)
 from springback.contact.obstacles import (
     Obstacle,
     Plane,
@@ -24,6 +18,12 @@ from springback.contact.obstacles import (
     signed_distance,
 )
 from springback.contact.rings import FAR, LowPoint, lowest_on_ring, on_ring
+from springback.contact.step_bounds import (
+    ContactStiffness,
+    FrictionDamping,
+    contact_stiffness,
+    friction_damping,
+)
 from springback.contact.surfaces import Surface, friction_force, normal_force, rubbing
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.vectors import Mat3, Vec, larger, rotation
@@ -166,12 +166,6 @@ class NearestFace(NamedTuple):
     at: Support
 
 
-@kernel
-def facing(obstacle: Obstacle, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
-    """Gap of one cage and one obstacle, eq. (13); arguments as for `cage_contact`."""
-    return nearest_face(obstacle.shape, contact_point, radius, arm)
-
-
 @generic
 def nearest_face(shape: Any, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
     """Point of a cage nearest to a shape.
@@ -253,7 +247,7 @@ def face_along_normal(shape: Any, contact_point: Any, radius: float, arm: ArmPos
 @kernel
 def cage_gap(obstacle: Obstacle, contact_point: Any, radius: float, arm: ArmPose) -> float:
     """Gap between a cage and an obstacle [m]; arguments as for `cage_contact`."""
-    return facing(obstacle, contact_point, radius, arm).gap
+    return nearest_face(obstacle.shape, contact_point, radius, arm).gap
 
 
 @kernel
@@ -300,7 +294,7 @@ def cage_contact_while(
         body: As for `cage_contact`.
     """
     surface, end, omega = obstacle.surface, arm.lever, body.omega
-    gap, n, at = facing(obstacle, contact_point, radius, arm)
+    gap, n, at = nearest_face(obstacle.shape, contact_point, radius, arm)
     pressing, rubbing_at = end + at.normal_lever, end + at.friction_lever
     rate = (arm.sliding + (omega ^ pressing)) @ n  # δ̇, positive in compression
     # A step ends on the face to within rounding; a law with a jump there must act at once.

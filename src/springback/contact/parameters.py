@@ -113,7 +113,7 @@ class PlaneSettings(Settings):
     surface: SurfaceSettings
 
     @model_validator(mode="after")
-    def _placed(self) -> PlaneSettings:
+    def _check_place(self) -> PlaneSettings:
         parts = (self.position is not None, self.normal is not None)
         if any(parts) if self.distance is not None else not all(parts):
             raise problem("needs either distance, or position and normal")

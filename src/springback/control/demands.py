@@ -99,7 +99,7 @@ def shortfalls(asked: Demands, limits: Limits, who: str) -> list[str]:
 # -- level, along a line --------------------------------------------------------------------------
 
 
-def leaning(acceleration: Any, jerk: Any, gravity: float) -> tuple[Any, Any]:
+def level_tilt(acceleration: Any, jerk: Any, gravity: float) -> tuple[Any, Any]:
     """Tilt [rad] and tilt rate [rad/s] of level flight along a line: atan(a/g), g ȧ/(g² + a²)."""
     square = gravity**2 + np.square(acceleration)
     return np.arctan2(acceleration, gravity), gravity * jerk / square
@@ -107,7 +107,7 @@ def leaning(acceleration: Any, jerk: Any, gravity: float) -> tuple[Any, Any]:
 
 def level_demands(acceleration: Any, jerk: Any, limits: Limits) -> Demands:
     """Demands of level flight along a line, from accelerations [m/s²] and jerks [m/s³]."""
-    tilt, rate = leaning(acceleration, jerk, limits.gravity)
+    tilt, rate = level_tilt(acceleration, jerk, limits.gravity)
     largest = float(np.abs(tilt).max())
     weight = limits.mass * limits.gravity
     return Demands(weight / math.cos(largest), weight, largest, float(np.abs(rate).max()))

@@ -74,7 +74,7 @@ class Switch(NamedTuple):
 
 
 @kernel
-def resting(position: Vec, yaw: float) -> Target:
+def rest_target(position: Vec, yaw: float) -> Target:
     """A target at rest."""
     still = Vec(0.0, 0.0, 0.0)
     return Target(position, still, still, still, yaw, 0.0)
@@ -83,7 +83,7 @@ def resting(position: Vec, yaw: float) -> Target:
 @target.register(Hold)
 @kernel
 def _hold(reference: Hold, time: float) -> Target:
-    return resting(reference.position, reference.yaw)
+    return rest_target(reference.position, reference.yaw)
 
 
 @kernel
@@ -116,7 +116,7 @@ def _horner(so_far: Taylor, coefficient: Vec, t: float) -> Taylor:
 def _steps(reference: Steps, time: float) -> Target:
     """The last set-point whose time has come."""
     current = fold(_come, reference.points[0], reference.points, (time,))
-    return resting(current.position, current.yaw)
+    return rest_target(current.position, current.yaw)
 
 
 class PathTime(NamedTuple):

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from springback.contact.cage import cage_gap
-from springback.contact.hull import hull_apart
+from springback.contact.hull_contact import hull_apart
 from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import minimum, tree_map

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.contact.cage import BodyMotion, body_motion, cage_contact
-from springback.contact.hull import hull_apart
+from springback.contact.hull_contact import hull_apart
 from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.contact.surfaces import elastic_energy
 from springback.kernels.compiler import rare_kernel

@@ -22,7 +22,7 @@ from springback.contact.cage import (
     cage_contact,
     slip_velocity,
 )
-from springback.contact.hull import hull_contact
+from springback.contact.hull_contact import hull_contact
 from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.contact.surfaces import Surface
 from springback.dynamics.energy import about_mass_centre, energy, spread

@@ -30,19 +30,19 @@ from typing import Any, NamedTuple, Protocol
 
 from springback.contact.cage import LANDED as LANDED
 from springback.contact.cage import BodyMotion, body_motion, cage_contact_while
-from springback.contact.friction_rate import (
-    ArmFrictionDamping,
+from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
+from springback.contact.step_bounds import (
+    ArmFrictionRate,
     FrictionDamping,
     Stiffness,
-    contact_rate,
+    contact_rate_bound,
     friction_rate_bound,
     inverse_inertia,
 )
-from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.dynamics.air import aerodynamics
 from springback.dynamics.crossing import Crossing, sooner, soonest
-from springback.dynamics.hull import HullView as HullView
-from springback.dynamics.hull import friction_rate_with_hull, hull_slip_rate, hull_state
+from springback.dynamics.hull_state import HullView as HullView
+from springback.dynamics.hull_state import friction_rate_with_hull, hull_slip_rate, hull_state
 from springback.dynamics.solution import Free as Free
 from springback.dynamics.solution import Slider as Slider
 from springback.dynamics.solution import System as System
@@ -56,11 +56,11 @@ from springback.dynamics.touches import (
     Slip,
     contact_of,
     crossing_of,
+    is_in_contact,
     slip_of,
     slip_rate,
     strikes,
     touched_normal,
-    touching,
 )
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import (
@@ -184,7 +184,7 @@ class ArmState(NamedTuple):
     pull: ArmPull
     seen: ArmView
     touched: Vec  # normal into the obstacle that it touches, body; zero without contact
-    grip: ArmFrictionDamping
+    grip: ArmFrictionRate
     slide: Stiffness  # spring and damper along the slide
     slips: tuple[Slip, ...]  # one for each obstacle
 
@@ -265,7 +265,7 @@ def arm_state(
     )
     has_stops = (arm.stop_stiffness > 0.0) & (u > 0.0)
     stops_at = next_stop(arm, length, rate if has_stops else 0.0)
-    engaged_now = tree_map(touching, (met,), ())
+    engaged_now = tree_map(is_in_contact, (met,), ())
     view = ArmView(
         gap=gap,
         depth=positive_part(-gap),
@@ -279,7 +279,7 @@ def arm_state(
         bottomed=1.0 if has_stops & (length < arm.shortest) else 0.0,
         stopped=1.0 if u * stop.stiffness > 0.0 else 0.0,
     )
-    grip = ArmFrictionDamping(touch.grip.on_arm * per_mass, touch.grip.lean * per_mass)
+    grip = ArmFrictionRate(touch.grip.on_arm * per_mass, touch.grip.lean * per_mass)
     return ArmState(
         share, ArmPull(h * per_mass, u), view, touched_normal(met, gap, engaged_now), grip, slide,
         tree_map(slip_of, (met,), ()),
@@ -292,7 +292,7 @@ def _arm_acceleration(arm: Arm, known: ArmState, a: Vec) -> float:
 
 
 @kernel
-def _balanced(view: ArmView, arm: Arm, rate: float, sliding: float) -> ArmView:
+def _with_unbalance(view: ArmView, arm: Arm, rate: float, sliding: float) -> ArmView:
     """The view of an arm, completed by its acceleration."""
     away = arm.mass * sliding + arm.damping * rate
     return replace(view, unbalance=away)
@@ -441,7 +441,7 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
     )
     mass_centre_velocity = state.velocity + r @ ((turning + a.drift) * airframe.inverse_mass)
     views = tree_map(
-        _balanced, (field_of(arms, "seen"), airframe.arms, state.arm_rate, sliding), ()
+        _with_unbalance, (field_of(arms, "seen"), airframe.arms, state.arm_rate, sliding), ()
     )
     on_arms = field_of(arms, "grip")
     inverse = inverse_inertia(inertia)
@@ -468,7 +468,7 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
         field_of(hull, "seen"),
         contact.on_ground,
         friction_rate,
-        contact_rate(
+        contact_rate_bound(
             contact.press, field_of(arms, "slide"), airframe.inverse_mass, inverse, reach(airframe)
         ),
         math.sqrt(maximum(cage_slips + hull_slips)),

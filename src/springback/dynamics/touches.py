@@ -8,8 +8,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.contact.cage import LANDED, CageContact, ContactLoad, slip_velocity
-from springback.contact.friction_rate import ContactStiffness
 from springback.contact.obstacles import Obstacle
+from springback.contact.step_bounds import ContactStiffness
 from springback.dynamics.crossing import Crossing, crossing
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import maximum, tree_map, tree_sum
@@ -55,7 +55,7 @@ def crossing_of(met: CageContact) -> Crossing:
 
 
 @kernel
-def touching(met: CageContact) -> float:
+def is_in_contact(met: CageContact) -> float:
     """Flag, 1 in contact, from the instant of touching to that of leaving.
 
     At a surface of the impulse law: while the part approaches, and while it rests.

@@ -18,7 +18,8 @@ from typing import Any
 import numpy as np
 
 from springback.campaign.analysis.envelope import Envelope
-from springback.campaign.envelope import fly_envelope, plan_envelope
+from springback.campaign.envelope_plan import fly_envelope, plan_envelope
+from springback.intervals import CONFIDENCE
 from springback.paper.choices import EKF2, VERTICAL, ChoiceResults, ConditionOutcome, fly_choices
 from springback.paper.printed import (
     COLLISIONS_IN_A_ROW,
@@ -32,7 +33,6 @@ from springback.recovery.state_machine import CRUISE, HOVER, LOOK, RECOVER
 from springback.results.flight import Flight, fly
 from springback.simulation.measures import Outcome
 from springback.studies.comparison import Mark, Row, predicted_or_contradicted
-from springback.studies.proportions import CONFIDENCE
 from springback.studies.run_ups import CONDITIONS
 from springback.studies.trials import (
     DURATION,

@@ -121,14 +121,14 @@ def is_within(limit: float, force: Vec) -> bool:
 
 @kernel
 def observation_after(
-    look: Characterisation, inputs: CollisionInputs, so_far: CollisionObservation
+    settings: Characterisation, inputs: CollisionInputs, so_far: CollisionObservation
 ) -> CollisionObservation:
     """Observation after one more tick of the window."""
     airframe, measurement, at, wrench = inputs
     lengths = measurement.arm_length
     pressed = tree_map(_more, (so_far.pressed, compressions(airframe.arms, lengths)), ())
     jolted, pushed = jolt(measurement, at), wrench.force - wrench.steady
-    within = is_within(look.limit, measurement.inertial.specific_force)
+    within = is_within(settings.limit, measurement.inertial.specific_force)
     stronger = ((jolted @ jolted) > (so_far.jolted @ so_far.jolted)) & within
     harder = (pushed @ pushed) > (so_far.pushed @ so_far.pushed)
     new = so_far.ticks < 0.5
@@ -145,7 +145,10 @@ def observation_after(
 
 @kernel
 def window_is_over(
-    look: Characterisation, so_far: CollisionObservation, arms: tuple[float, ...], elapsed: float
+    settings: Characterisation,
+    so_far: CollisionObservation,
+    arms: tuple[float, ...],
+    elapsed: float,
 ) -> bool:
     """True if the observation window is over.
 
@@ -155,18 +158,18 @@ def window_is_over(
     not wait.
 
     Args:
-        look: Settings.
+        settings: Settings.
         so_far: Observation so far.
         arms: Arms that were hit as far as is known, 1 or 0 each.
         elapsed: Time since the alarm [s].
     """
     alone = (so_far.clipped > 0.5) & (maximum(so_far.pressed) <= FELT) & (tree_sum(arms) < 1.5)
     since = elapsed * (1.0 - so_far.clipped / select(so_far.ticks > 0.5, so_far.ticks, 1.0))
-    return (elapsed >= look.window) & ((not alone) | (since >= look.longer))
+    return (elapsed >= settings.window) & ((not alone) | (since >= settings.longer))
 
 
 @kernel
-def _pointing(arm: Arm, compression: float) -> Vec:
+def _compression_vector(arm: Arm, compression: float) -> Vec:
     return arm_direction(arm) * compression
 
 
@@ -183,17 +186,17 @@ def _is_pressed(compression: float, most: float, share: float) -> float:
 
 @kernel
 def pressed_arms(
-    look: Characterisation, pressed: tuple[float, ...], line: Pass
+    settings: Characterisation, pressed: tuple[float, ...], line: Pass
 ) -> tuple[float, ...]:
     """Arms in front that were pressed, 1 or 0 each.
 
     Args:
-        look: Settings.
+        settings: Settings.
         pressed: Largest compression of each arm [m].
         line: Pass of the line of action by the cages.
     """
     front = tree_map(_in_front, (pressed, line.sines), ())
-    return tree_map(_is_pressed, (front,), (maximum(front), look.share))
+    return tree_map(_is_pressed, (front,), (maximum(front), settings.share))
 
 
 @kernel
@@ -203,16 +206,16 @@ def _tip(arm: Arm, length: float, hit: float) -> Vec:
 
 @kernel
 def touching_arms(
-    look: Characterisation, pressed: tuple[float, ...], line: Pass
+    settings: Characterisation, pressed: tuple[float, ...], line: Pass
 ) -> tuple[float, ...]:
     """Arms that were hit, 1 or 0 each: those pressed or, if none is, those on the line of action.
 
     Args:
-        look: Settings.
+        settings: Settings.
         pressed: Largest compression of each arm [m].
         line: Pass of the line of action by the cages.
     """
-    felt = pressed_arms(look, pressed, line)
+    felt = pressed_arms(settings, pressed, line)
     rigid = select(abs(line.sine) < ONE_ARM, line.one, line.two)
     return select(tree_sum(felt) > 0.5, felt, rigid)
 
@@ -258,7 +261,7 @@ class Bearing(NamedTuple):
 
 @kernel
 def bearing(
-    look: Characterisation,
+    settings: Characterisation,
     airframe: Airframe,
     r: Mat3,
     lengths: tuple[float, ...],
@@ -273,7 +276,7 @@ def bearing(
     normal.
 
     Args:
-        look: Settings.
+        settings: Settings.
         airframe: In the pilot's model.
         r: Attitude.
         lengths: Of the arms [m].
@@ -286,15 +289,17 @@ def bearing(
     # The robot turns during the collision: the cages are those of the body axes at that time.
     carried = direction_of(Vec(-c.x, -c.y, 0.0), 0.0)
     line: Pass = pass_of(airframe, lengths, carried, lever_of(wrench.recent))
-    felt = pressed_arms(look, pressed, line)
+    felt = pressed_arms(settings, pressed, line)
     both = (abs(line.sine) >= ONE_ARM) | (tree_sum(felt) > 1.5)
     normal = select(both, tangent_normal(line.span, ahead), face_normal(ahead, line.sine))
-    return Bearing(direction_of(-impulse, look.level), level_normal(r, normal) * look.level, line)
+    return Bearing(
+        direction_of(-impulse, settings.level), level_normal(r, normal) * settings.level, line
+    )
 
 
 @kernel
 def characterise(
-    look: Characterisation,
+    settings: Characterisation,
     inputs: CollisionInputs,
     found: CollisionObservation,
     start: CollisionStart,
@@ -308,24 +313,24 @@ def characterise(
     of the wrench, or else that of the velocity.
 
     Args:
-        look: Settings.
+        settings: Settings.
         inputs: At the present tick.
         found: Of all ticks of the window.
         start: Of the collision.
     """
     airframe, measurement, at, wrench = inputs
     r = rotation(at.attitude)
-    tips = tree_sum(tree_map(_pointing, (airframe.arms, found.pressed), ()))
-    by_arms = direction_of(r @ tips, look.level)
-    by_acceleration = direction_of(horizontal(-found.jolted), look.level)
+    tips = tree_sum(tree_map(_compression_vector, (airframe.arms, found.pressed), ()))
+    by_arms = direction_of(r @ tips, settings.level)
+    by_acceleration = direction_of(horizontal(-found.jolted), settings.level)
     lengths = measurement.arm_length
-    by_wrench: Bearing = bearing(look, airframe, r, lengths, found.pressed, wrench)
+    by_wrench: Bearing = bearing(settings, airframe, r, lengths, found.pressed, wrench)
     force, normal = by_wrench.force, by_wrench.normal
-    chosen = by_arms * look.arms + by_acceleration * look.acceleration
-    chosen = chosen + force * look.wrench + normal * look.fused
-    other = select(force @ force > 0.5, force, direction_of(start.velocity, look.level))
+    chosen = by_arms * settings.arms + by_acceleration * settings.acceleration
+    chosen = chosen + force * settings.wrench + normal * settings.fused
+    other = select(force @ force > 0.5, force, direction_of(start.velocity, settings.level))
     direction = select(chosen @ chosen > 0.5, chosen, other)
-    arms = touching_arms(look, found.pressed, by_wrench.line)
+    arms = touching_arms(settings, found.pressed, by_wrench.line)
     first = rotation(found.attitude)
     point = contact_point(airframe, start.position, first, found.lengths, arms, direction)
     return Collision(

@@ -109,7 +109,7 @@ def _run_after(evaluator: Evaluator, now: EvaluatedMotion, last_position: Vec, r
     # An alarm may come just before the tick of first touch.
     raised = (recovery.log.alarm >= run.touch - EARLY) & (run.alarm < 0.0)
     raised &= recovery.phase >= LOOK
-    raised_now = (recovery.phase == LOOK) & (recovery.since >= time - TINY)
+    raised_now = (recovery.phase == LOOK) & (recovery.phase_start >= time - TINY)
     return replace(
         run,
         alarm=select(raised, recovery.log.alarm, run.alarm),

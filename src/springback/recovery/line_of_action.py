@@ -76,7 +76,7 @@ def _least_of(size: float, smallest: float) -> float:
 
 
 @kernel
-def _counted(x: float, chosen: float) -> float:
+def _product(x: float, chosen: float) -> float:
     return x * chosen
 
 
@@ -118,7 +118,7 @@ def pass_of(airframe: Airframe, lengths: tuple[float, ...], ahead: Vec, lever: f
     sines = tree_map(_sine, (arms, lengths), (ahead, lever))
     sizes = tree_map(_size, (sines,), ())
     one = tree_map(_least_of, (sizes,), (minimum(sizes),))
-    sine = tree_sum(tree_map(_counted, (sines, one), ())) / tree_sum(one)
+    sine = tree_sum(tree_map(_product, (sines, one), ())) / tree_sum(one)
     left = tree_map(_reach, (arms, lengths), (ahead, 1.0))
     right = tree_map(_reach, (arms, lengths), (ahead, -1.0))
     at_left = tree_map(_foremost, (left,), (maximum(left),))

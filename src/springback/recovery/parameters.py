@@ -107,7 +107,7 @@ class ObserverSettings(Settings):
     decays in that time."""
 
 
-class Detecting(Settings):
+class DetectionSettings(Settings):
     """Settings of the triggers."""
 
     hall: HallTrigger = HallTrigger()
@@ -115,7 +115,7 @@ class Detecting(Settings):
     wrench: WrenchTrigger = WrenchTrigger()
 
 
-class Looking(Settings):
+class CharacterisationSettings(Settings):
     """Settings of the characterisation of a collision."""
 
     source: Literal["arms", "acceleration", "wrench", "fused"] = "fused"
@@ -135,7 +135,7 @@ class Looking(Settings):
     """True if obstacles are upright, as all of the paper's are, so that f_c⁰ is level."""
 
 
-class Answering(Settings):
+class ResponseSettings(Settings):
     """Settings of the response."""
 
     way: Literal["pre-impact", "post-impact", "set-point", "time-optimal", "staged"] = "pre-impact"
@@ -186,7 +186,7 @@ class Answering(Settings):
 AT_ONCE = 1e-3
 
 
-class Settling(Settings):
+class SettlingSettings(Settings):
     """Bounds within which the robot has settled."""
 
     tolerance: Length = 0.1
@@ -202,7 +202,7 @@ class Settling(Settings):
     leans on the wall and cannot get away. Chosen: more than the 1.5 s in which it settles."""
 
     @model_validator(mode="after")
-    def _long_enough(self) -> Settling:
+    def _check_stay(self) -> SettlingSettings:
         if self.stay < self.dwell:
             raise problem(f"must be at least dwell, {self.dwell:g} s (got {self.stay:g} s)", "stay")
         return self
@@ -211,11 +211,11 @@ class Settling(Settings):
 class RecoverySettings(Settings):
     """Settings of a pilot that recovers from collisions; its run-up is the scenario's reference."""
 
-    detection: Detecting = Detecting()
+    detection: DetectionSettings = DetectionSettings()
     observer: ObserverSettings = ObserverSettings()
-    characterisation: Looking = Looking()
-    response: Answering = Answering()
-    settling: Settling = Settling()
+    characterisation: CharacterisationSettings = CharacterisationSettings()
+    response: ResponseSettings = ResponseSettings()
+    settling: SettlingSettings = SettlingSettings()
     returns: bool = True
     """True if the robot flies home from p_r; else it stays there."""
     home: Annotated[Triple, Unit("m")] | None = None
@@ -277,7 +277,7 @@ class RecoverySettings(Settings):
             fading=o.fading,
         )
 
-    def looks(self, full_scale: float) -> Characterisation:
+    def collision_characterisation(self, full_scale: float) -> Characterisation:
         """Characterisation for the kernels, given the accelerometer's range [m/s²]."""
         look = self.characterisation
         return Characterisation(

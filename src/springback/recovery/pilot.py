@@ -47,11 +47,11 @@ from springback.recovery.state_machine import (
     RECOVER,
     STAGES,
     DelayedReference,
+    JerkFreeReference,
     RecoveryState,
     Route,
-    SmoothReturn,
     on_alarm,
-    on_characterised,
+    on_characterisation,
     on_phase_end,
     phase_end,
     recovery_at_start,
@@ -75,7 +75,7 @@ class RecoveryPilot(NamedTuple):
     cascade: Cascade  # its reference is the run-up
     observer: Observer
     detection: Detection
-    look: Characterisation
+    characterisation: Characterisation
     route: Route
 
 
@@ -139,11 +139,11 @@ def _phase_command(
     """Position loop on the reference of the phase."""
     c, at, before, state = pilot.cascade, m.flight.estimate, m.flight.offboard, m.recovery_state
     if state.phase <= LOOK:
-        reference = DelayedReference(c.reference, state.away)
+        reference = DelayedReference(c.reference, state.run_start)
         return position_loop(c, reference, tick, time, at, before)
     if state.phase <= RECOVER:
-        return position_loop(c, SmoothReturn(state.recovery), tick, time, at, before)
-    return position_loop(c, SmoothReturn(state.homeward), tick, time, at, before)
+        return position_loop(c, JerkFreeReference(state.recovery_reference), tick, time, at, before)
+    return position_loop(c, JerkFreeReference(state.return_reference), tick, time, at, before)
 
 
 @kernel
@@ -178,25 +178,25 @@ def steer(response: TreeLayout, pilot: TreeLayout, lanes: Lanes) -> None:
         returning += 1 if phase > RECOVER else 0
     # References take long to evaluate, and nearly always all lanes have the same: one at a time.
     for i in range(w * once if cruising > 0 else 0):
-        start = load(state.away, g, w, i)
+        start = load(state.run_start, g, w, i)
         reference = DelayedReference(load(cascade.reference, g, w, i), start)
-        now, before = _steered(pilot, reference, lanes, i), load(flight.offboard, g, w, i)
+        now, before = _steer_lane(pilot, reference, lanes, i), load(flight.offboard, g, w, i)
         mine = load(state.phase, g, w, i) <= LOOK
         store(select(mine, now, before), flight.offboard, g, w, i)
     for i in range(w * once if recovering > 0 else 0):
-        way = SmoothReturn(load(state.recovery, g, w, i))
-        now, before = _steered(pilot, way, lanes, i), load(flight.offboard, g, w, i)
+        way = JerkFreeReference(load(state.recovery_reference, g, w, i))
+        now, before = _steer_lane(pilot, way, lanes, i), load(flight.offboard, g, w, i)
         phase = load(state.phase, g, w, i)
         store(select((phase > LOOK) & (phase <= RECOVER), now, before), flight.offboard, g, w, i)
     for i in range(w * once if returning > 0 else 0):
-        way = SmoothReturn(load(state.homeward, g, w, i))
-        now, before = _steered(pilot, way, lanes, i), load(flight.offboard, g, w, i)
+        way = JerkFreeReference(load(state.return_reference, g, w, i))
+        now, before = _steer_lane(pilot, way, lanes, i), load(flight.offboard, g, w, i)
         mine = load(state.phase, g, w, i) > RECOVER
         store(select(mine, now, before), flight.offboard, g, w, i)
 
 
 @kernel
-def _steered(pilot: TreeLayout, reference: Any, lanes: Lanes, i: int) -> Offboard:
+def _steer_lane(pilot: TreeLayout, reference: Any, lanes: Lanes, i: int) -> Offboard:
     """Position loop of one lane on a reference."""
     avionics, g, w, _, tick = lanes
     flight, time = avionics.onboard.pilot.flight, tick * load(avionics.systems.period, g, w, i)
@@ -246,7 +246,7 @@ def _collision(
         select(new, m.history.older, m.collision.velocity),
     )
     inputs = CollisionInputs(pilot.cascade.airframe, measurement, at, m.wrench)
-    return characterise(pilot.look, inputs, observation, before)
+    return characterise(pilot.characterisation, inputs, observation, before)
 
 
 @kernel
@@ -258,13 +258,13 @@ def _state_after_window(
     state: RecoveryState,
     flight: CascadeMemory,
 ) -> RecoveryState:
-    if window_is_over(pilot.look, observation, hit.arms, time - state.since):
+    if window_is_over(pilot.characterisation, observation, hit.arms, time - state.phase_start):
         yaw = flight.offboard.wanted.yaw
-        return on_characterised(pilot.route, state, hit, flight.estimate, time, yaw)
+        return on_characterisation(pilot.route, state, hit, flight.estimate, time, yaw)
     return state
 
 
-class Considered(NamedTuple):
+class WindowStep(NamedTuple):
     """Observation, collision and state of the recovery after a tick of the observation window."""
 
     observation: CollisionObservation
@@ -273,18 +273,18 @@ class Considered(NamedTuple):
 
 
 @kernel
-def _considered(
+def _window_step(
     pilot: RecoveryPilot, time: float, measurement: Measurement, m: RecoveryPilotMemory
-) -> Considered:
+) -> WindowStep:
     airframe, before = pilot.cascade.airframe, m.recovery_state
     state = _state_after_alarm(before, m.alarm, time)
     goes_on = select((state.phase == LOOK) & (before.phase == LOOK), 1.0, 0.0)
     so_far = select(goes_on > 0.5, m.observation, no_observation(airframe))
     inputs = CollisionInputs(airframe, measurement, m.flight.estimate, m.wrench)
-    observation = observation_after(pilot.look, inputs, so_far)
+    observation = observation_after(pilot.characterisation, inputs, so_far)
     hit = _collision(pilot, measurement, observation, m)
     after = _state_after_window(pilot, time, observation, hit, state, m.flight)
-    return Considered(observation, hit, after)
+    return WindowStep(observation, hit, after)
 
 
 @kernel
@@ -345,9 +345,15 @@ def _end_phases(pilot: TreeLayout, lanes: Lanes) -> None:
         calm = (alarm < 0.5) & (state.phase != LOOK)
         route, at = load(pilot.route, g, w, i), load(memory.flight.estimate, g, w, i)
         end = phase_end(route, state, at, time)
-        store(select(calm, end.near, state.near), memory.recovery_state.near, g, w, i)
-        store(select(calm, end.turns, 0.0), memory.alarm, g, w, i)
-        ending += 1 if calm & (end.turns > 0.5) else 0
+        store(
+            select(calm, end.near_since, state.near_since),
+            memory.recovery_state.near_since,
+            g,
+            w,
+            i,
+        )
+        store(select(calm, end.is_over, 0.0), memory.alarm, g, w, i)
+        ending += 1 if calm & (end.is_over > 0.5) else 0
     for i in range(w if ending > 0 else 0):
         if load(memory.alarm, g, w, i) > 0.5:
             time = tick * load(avionics.systems.period, g, w, i)
@@ -372,7 +378,7 @@ def _decide(pilot: TreeLayout, lanes: Lanes) -> None:
         if m.alarm > 0.5 or m.recovery_state.phase == LOOK:
             settings, measurement = load(pilot, g, w, i), load(measured, g, w, i)
             time = tick * load(avionics.systems.period, g, w, i)
-            now = _considered(settings, time, measurement, m)
+            now = _window_step(settings, time, measurement, m)
             store(now.observation, memory.observation, g, w, i)
             store(now.collision, memory.collision, g, w, i)
             store(now.recovery_state, memory.recovery_state, g, w, i)

@@ -53,14 +53,14 @@ class RecoveryState(NamedTuple):
     """State of the recovery."""
 
     phase: float
-    since: float  # start of the phase [s]
+    phase_start: float  # [s]
     stage: float  # of a staged response
-    away: float  # start of the run-up [s]
-    recovery: Any  # reference to p_r
-    homeward: Polynomials  # reference to the start
-    ends: float  # end of the phase's reference [s]
+    run_start: float  # start of the run-up [s]
+    recovery_reference: Any  # to p_r
+    return_reference: Polynomials  # to the start
+    reference_end: float  # [s]
     goal: Vec  # of this phase [m]
-    near: float  # time since which the robot is near the goal and slow [s], `NOT_YET` if it is not
+    near_since: float  # time since which the robot is near the goal and slow [s], or `NOT_YET`
     log: Log
 
 
@@ -71,7 +71,7 @@ class DelayedReference(NamedTuple):
     start: float  # [s]
 
 
-class SmoothReturn(NamedTuple):
+class JerkFreeReference(NamedTuple):
     """A reference after a collision, without its jerk.
 
     The paper's controller takes p, v, a and yaw, and after a collision the robot is too far from
@@ -87,9 +87,9 @@ def _delayed(reference: DelayedReference, time: float) -> Target:
     return target(reference.reference, time - reference.start)
 
 
-@target.register(SmoothReturn)
+@target.register(JerkFreeReference)
 @kernel
-def _without_jerk(reference: SmoothReturn, time: float) -> Target:
+def _without_jerk(reference: JerkFreeReference, time: float) -> Target:
     now, still = target(reference.reference, time), Vec(0.0, 0.0, 0.0)
     return Target(now.position, now.velocity, now.acceleration, still, now.yaw, 0.0)
 
@@ -101,12 +101,14 @@ def recovery_at_start(route: Route, nothing: Collision) -> RecoveryState:
         route: Settings.
         nothing: A collision that has not happened.
     """
-    back, home = _unplanned(route.response, route.speed, nothing)
+    back, home = _placeholder_references(route.response, route.speed, nothing)
     log = Log(NOT_YET, NOT_YET, NOT_YET, NOT_YET, 0.0)
     return RecoveryState(CRUISE, 0.0, TILTING, 0.0, back, home, 0.0, route.home, NOT_YET, log)
 
 
-def _unplanned(response: Any, speed: float, nothing: Collision) -> tuple[Any, Polynomials]:
+def _placeholder_references(
+    response: Any, speed: float, nothing: Collision
+) -> tuple[Any, Polynomials]:
     """Placeholders for the two references until they are planned; they stay at the origin."""
     here = Vec(0.0, 0.0, 0.0)
     still = Estimate(here, Quat(1.0, 0.0, 0.0, 0.0), here, here)
@@ -137,12 +139,18 @@ def on_alarm(recovery_state: RecoveryState, time: float) -> RecoveryState:
     """State after an alarm: LOOK."""
     log = Log(time, NOT_YET, NOT_YET, NOT_YET, recovery_state.log.runs)
     return replace(
-        recovery_state, phase=LOOK, since=time, stage=TILTING, ends=time, near=NOT_YET, log=log
+        recovery_state,
+        phase=LOOK,
+        phase_start=time,
+        stage=TILTING,
+        reference_end=time,
+        near_since=NOT_YET,
+        log=log,
     )
 
 
 @kernel
-def on_characterised(
+def on_characterisation(
     route: Route,
     recovery_state: RecoveryState,
     hit: Collision,
@@ -155,8 +163,9 @@ def on_characterised(
     plan: RecoveryPlan = recovery_plan(route.response, hit, goal, at, time, yaw)
     log = replace(recovery_state.log, planned=time, settled=NOT_YET, home=NOT_YET)
     return replace(
-        recovery_state, phase=_first_phase(route.response), since=time, stage=TILTING,
-        recovery=plan.reference, ends=plan.ends, goal=goal, near=NOT_YET, log=log,
+        recovery_state, phase=_first_phase(route.response), phase_start=time, stage=TILTING,
+        recovery_reference=plan.reference, reference_end=plan.ends, goal=goal,
+        near_since=NOT_YET, log=log,
     )  # fmt: skip
 
 
@@ -172,8 +181,9 @@ def _after_stages(
     """State after the stages: stay here."""
     plan: RecoveryPlan = recovery_plan(route.response, hit, at.position, at, time, yaw)
     return replace(
-        recovery_state, phase=RECOVER, since=time, stage=OVER, recovery=plan.reference,
-        ends=time, goal=at.position, near=NOT_YET,
+        recovery_state, phase=RECOVER, phase_start=time, stage=OVER,
+        recovery_reference=plan.reference, reference_end=time, goal=at.position,
+        near_since=NOT_YET,
     )  # fmt: skip
 
 
@@ -182,12 +192,12 @@ def _after_recovery(
     route: Route, recovery_state: RecoveryState, time: float, yaw: float
 ) -> RecoveryState:
     """State after settling at p_r: fly home, or stay."""
-    j = recovery_state
-    goal = select(route.returns > 0.5, route.home, j.goal)
-    plan = homeward(j.goal, goal, route.speed, time, yaw)
+    goal = select(route.returns > 0.5, route.home, recovery_state.goal)
+    plan = homeward(recovery_state.goal, goal, route.speed, time, yaw)
     return replace(
-        j, phase=RETURN, since=time, homeward=plan.reference, ends=plan.ends, goal=goal,
-        near=NOT_YET, log=replace(j.log, settled=time, home=NOT_YET),
+        recovery_state, phase=RETURN, phase_start=time, return_reference=plan.reference,
+        reference_end=plan.ends, goal=goal, near_since=NOT_YET,
+        log=replace(recovery_state.log, settled=time, home=NOT_YET),
     )  # fmt: skip
 
 
@@ -199,9 +209,9 @@ def _after_return(route: Route, recovery_state: RecoveryState, time: float) -> R
     return replace(
         recovery_state,
         phase=select(again, CRUISE, HOVER),
-        since=time,
-        away=select(again, time, recovery_state.away),
-        near=NOT_YET,
+        phase_start=time,
+        run_start=select(again, time, recovery_state.run_start),
+        near_since=NOT_YET,
         log=replace(recovery_state.log, home=time, runs=runs),
     )
 
@@ -212,25 +222,25 @@ def _near_since(route: Route, recovery_state: RecoveryState, at: Estimate, time:
     gap = at.position - recovery_state.goal
     near = gap @ gap < route.tolerance * route.tolerance
     near &= at.velocity @ at.velocity < route.slow * route.slow
-    began = select(recovery_state.near < 0.0, time, recovery_state.near)
-    return select(near & (time >= recovery_state.ends), began, NOT_YET)
+    began = select(recovery_state.near_since < 0.0, time, recovery_state.near_since)
+    return select(near & (time >= recovery_state.reference_end), began, NOT_YET)
 
 
 class PhaseEnd(NamedTuple):
     """Effect of a tick without an alarm."""
 
-    near: float  # as in `RecoveryState`
-    turns: float  # 1 if the phase is over
+    near_since: float  # as in `RecoveryState`
+    is_over: float  # 1 if the phase is over
 
 
 @kernel
 def phase_end(route: Route, recovery_state: RecoveryState, at: Estimate, time: float) -> PhaseEnd:
     """Effect of a tick without an alarm: time near the goal, and end of the phase."""
-    j, since = recovery_state, _near_since(route, recovery_state, at, time)
+    phase, since = recovery_state.phase, _near_since(route, recovery_state, at, time)
     rested = (since >= 0.0) & (time - since >= route.dwell)
-    late = time - j.ends > route.patience
-    staged = (j.phase == STAGES) & (j.stage >= OVER)
-    arrives = ((j.phase == RECOVER) | (j.phase == RETURN)) & (rested | late)
+    late = time - recovery_state.reference_end > route.patience
+    staged = (phase == STAGES) & (recovery_state.stage >= OVER)
+    arrives = ((phase == RECOVER) | (phase == RETURN)) & (rested | late)
     return PhaseEnd(since, select(staged | arrives, 1.0, 0.0))
 
 

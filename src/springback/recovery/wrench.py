@@ -84,7 +84,7 @@ def no_wrench(
 
 
 @kernel
-def _lagged(thrust: float, command: float, share: float) -> float:
+def _lag(thrust: float, command: float, share: float) -> float:
     return thrust + share * (command - thrust)
 
 
@@ -174,7 +174,7 @@ def sampled_wrench(
 def _thrust_after(
     observer: Observer, command: tuple[float, ...], memory: ExternalWrench
 ) -> tuple[float, ...]:
-    return tree_map(_lagged, (memory.thrust, command), (observer.rotor_share,))
+    return tree_map(_lag, (memory.thrust, command), (observer.rotor_share,))
 
 
 @kernel

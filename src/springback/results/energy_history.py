@@ -1,6 +1,6 @@
 """Energy balance over time: stored, supplied and lost energy at every instant.
 
-Measures give the balance at the end of a flight; this is its history.
+Its balance at the end of a flight is in `springback.dynamics.ledger`; this is its history.
 """
 
 from __future__ import annotations

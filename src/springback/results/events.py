@@ -61,7 +61,7 @@ def parts_of(columns: Mapping[str, Array]) -> list[str]:
     return [name[2:] for name in columns if name.startswith("fn")]
 
 
-def touching(columns: Mapping[str, Array]) -> np.ndarray[Any, np.dtype[np.bool_]]:
+def contact_mask(columns: Mapping[str, Array]) -> np.ndarray[Any, np.dtype[np.bool_]]:
     """True for instants with a contact."""
     felt = [columns[f"fn{k}"] + columns[f"ff{k}"] > NO_FORCE for k in parts_of(columns)]
     return np.asarray(np.logical_or.reduce(felt), dtype=np.bool_)
@@ -88,7 +88,7 @@ def intervals(t: Array, felt: Any, apart: float = 0.0) -> list[tuple[int, int]]:
 def impacts_of(flight: FlightResult) -> tuple[tuple[float, float], ...]:
     """First touch and last separation of every impact [s]."""
     t = flight.columns["t"]
-    found = intervals(t, touching(flight.columns), flight.scenario.simulation.dwell)
+    found = intervals(t, contact_mask(flight.columns), flight.scenario.simulation.dwell)
     ends = [(float(t[first]), float(t[min(last + 1, len(t) - 1)])) for first, last in found]
     if ends:  # the measures have the exact instants of the first, columns only the steps
         begin, end = flight.measures.get("touch_time"), flight.measures.get("separation_time")
@@ -108,7 +108,7 @@ def events_of(flight: FlightResult) -> tuple[Event, ...]:
 
 def _contacts(flight: FlightResult) -> list[Event]:
     c = flight.columns
-    felt = touching(flight.columns)
+    felt = contact_mask(flight.columns)
     found: list[Event] = []
     impacts = impacts_of(flight)
     for number, (begin, end) in enumerate(impacts[:MOST], start=1):

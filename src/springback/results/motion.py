@@ -11,7 +11,7 @@ import numpy as np
 import scipy  # submodules are loaded on first use
 
 from springback.contact.cage import BodyMotion, CageContact, body_motion, cage_contact
-from springback.contact.hull import hull_contact
+from springback.contact.hull_contact import hull_contact
 from springback.contact.obstacles import Obstacle, obstacle_in_body_frame
 from springback.contact.parameters import Own, faces
 from springback.dynamics.solution import Slider

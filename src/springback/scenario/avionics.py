@@ -333,7 +333,7 @@ class CollisionSensing(NamedTuple):
 
     observer: Observer
     detection: Detection
-    look: Characterisation
+    characterisation: Characterisation
 
 
 @traceable
@@ -355,7 +355,7 @@ def collision_sensing(
         return CollisionSensing(
             recovery.wrench_observer(vehicle.mass, gravity, lag, tick, inertial),
             recovery.triggers(is_compliant, inertial, hall),
-            recovery.looks(full_scale),
+            recovery.collision_characterisation(full_scale),
         )
 
 
@@ -365,11 +365,11 @@ def recovery_pilot(
     """The pilot that recovers from collisions, around the one that flies."""
     s, recovery, tick = scenario, scenario.recovery, 1.0 / scenario.clock
     assert recovery is not None  # only called for scenarios with recovery
-    eyes = collision_sensing(recovery, s.vehicle, s.sensors, believed.gravity, tick)
+    sensing = collision_sensing(recovery, s.vehicle, s.sensors, believed.gravity, tick)
     route: Route = recovery.route(ZERO)
     if recovery.home is None:
         route = route._replace(home=s.start.place())
-    return RecoveryPilot(cascade, *eyes, route)
+    return RecoveryPilot(cascade, *sensing, route)
 
 
 #: Builds the pilot of a scenario, model and start with a builder of its parts: `cascade_of`.

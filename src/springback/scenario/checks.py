@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pydantic_core import PydanticCustomError
 
 from springback.contact.cage import cage_gap
-from springback.contact.hull import hull_apart
+from springback.contact.hull_contact import hull_apart
 from springback.contact.obstacles import Plane, obstacle_in_body_frame, signed_distance
 from springback.contact.parameters import faces
 from springback.kernels.memo import Build, plain_build

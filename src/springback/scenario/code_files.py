@@ -53,9 +53,9 @@ def with_absolute_names(given: Mapping[str, Any], folder: Path) -> dict[str, Any
     """
     result: Any = given
     for path in NAMED_AT:
-        result = _mapped(result, path, lambda word: _absolute(word, folder))
+        result = _change_at(result, path, lambda word: _absolute(word, folder))
     for path in VEHICLE_AT:
-        result = _mapped(result, path, lambda word: _absolute_file(word, folder))
+        result = _change_at(result, path, lambda word: _absolute_file(word, folder))
     return dict(result)
 
 
@@ -71,16 +71,16 @@ def _absolute(word: Any, folder: Path) -> Any:
     return f"{os.path.abspath(folder / found['file'])}:{found['name']}"
 
 
-def _mapped(node: Any, path: tuple[str, ...], change: Callable[[Any], Any]) -> Any:
+def _change_at(node: Any, path: tuple[str, ...], change: Callable[[Any], Any]) -> Any:
     """Raw tables with the values at a path changed, where there are any."""
     if not path:
         return change(node)
     if path[0] == "*":
         entries = node if isinstance(node, list | tuple) else ()
-        return [_mapped(entry, path[1:], change) for entry in entries] if entries else node
+        return [_change_at(entry, path[1:], change) for entry in entries] if entries else node
     if not isinstance(node, Mapping) or path[0] not in node:
         return node
-    return {**node, path[0]: _mapped(node[path[0]], path[1:], change)}
+    return {**node, path[0]: _change_at(node[path[0]], path[1:], change)}
 
 
 def code_names(given: Mapping[str, Any]) -> list[str]:
@@ -93,7 +93,7 @@ def code_names(given: Mapping[str, Any]) -> list[str]:
         return word
 
     for path in NAMED_AT:
-        _mapped(given, path, note)
+        _change_at(given, path, note)
     return found
 
 

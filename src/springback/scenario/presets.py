@@ -1,4 +1,4 @@
-"""Presets by name, and tables merged over them."""
+"""Presets by name, vehicle files, and tables merged over them."""
 
 from __future__ import annotations
 
@@ -62,8 +62,8 @@ def is_vehicle_file(word: Any) -> bool:
     return isinstance(word, str) and word.endswith(".toml")
 
 
-def vehicle_file(path: str | Path) -> dict[str, Any]:
-    """Raw vehicle of a TOML file: its table ``[vehicle]``, or all of it.
+def read_vehicle(path: str | Path) -> dict[str, Any]:
+    """Read the raw vehicle of a TOML file: its table ``[vehicle]``, or all of it.
 
     Args:
         path: Of the file; it may name a preset, but no further file.
@@ -86,7 +86,7 @@ def vehicle_table(given: Any) -> Any:
     word = given.get("preset") if isinstance(given, Mapping) else given
     if word is not None and is_vehicle_file(word):
         own = {} if isinstance(given, str) else {k: v for k, v in given.items() if k != "preset"}
-        return merge(vehicle_file(word), own)
+        return merge(read_vehicle(word), own)
     found = _preset_of(given, "vehicle", VEHICLES)
     return given if found is None else merge(found[0].vehicle.model_dump(), found[1])
 

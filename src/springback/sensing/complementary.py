@@ -102,7 +102,7 @@ def _complementary(
     weights: Complementary, tick: float, seen: Measurement, memory: ComplementaryMemory
 ) -> EstimatorStep:
     memory = _moved_on(weights, seen.inertial, memory)
-    memory = select(seen.pose.fresh > 0.5, _informed(weights, seen.pose, memory), memory)
+    memory = select(seen.pose.fresh > 0.5, _correct(weights, seen.pose, memory), memory)
     return EstimatorStep(_at_tick(memory), memory)
 
 
@@ -125,13 +125,13 @@ def _believe(
     for i in range(w * once if waiting == 0 else 0):  # all lanes, so without a mask
         weights, m = load(estimator, g, w, i), load(memory, g, w, i)
         sample = load(seen.inertial, g, w, i)
-        store(_followed(weights, sample, _older(weights, m)), memory, g, w, i)
+        store(_integrate(weights, sample, _older(weights, m)), memory, g, w, i)
     for i in range(w * once if waiting > 0 else 0):
         weights, m = load(estimator, g, w, i), load(memory, g, w, i)
         store(_moved_on(weights, load(seen.inertial, g, w, i), m), memory, g, w, i)
     for i in range(w * once if posed > 0 else 0):
         weights, m, pose = load(estimator, g, w, i), load(memory, g, w, i), load(seen.pose, g, w, i)
-        store(select(pose.fresh > 0.5, _informed(weights, pose, m), m), memory, g, w, i)
+        store(select(pose.fresh > 0.5, _correct(weights, pose, m), m), memory, g, w, i)
     for i in range(w * once if waiting == 0 else 0):  # all lanes, without an empty rotation
         m = load(memory, g, w, i)
         now = Estimate(m.position, m.attitude, m.velocity, m.angular_velocity)
@@ -146,7 +146,7 @@ def _moved_on(
 ) -> ComplementaryMemory:
     """Memory one tick later, with an inertial sample where there is one."""
     older = _older(weights, m)
-    return select(inertial.fresh > 0.5, _followed(weights, inertial, older), older)
+    return select(inertial.fresh > 0.5, _integrate(weights, inertial, older), older)
 
 
 @kernel
@@ -190,7 +190,7 @@ def _attitude_correction(weights: Complementary, force: Vec, m: ComplementaryMem
 
 
 @kernel
-def _bounded(x: float, limit: float) -> float:
+def _clamp(x: float, limit: float) -> float:
     """Clamp x to ± limit."""
     low = x if x > -limit else -limit
     return low if low < limit else limit
@@ -202,11 +202,11 @@ def _bias(weights: Complementary, spin: Vec, turn: Vec, m: ComplementaryMemory) 
     slow = spin @ spin < SLOW_SPIN * SLOW_SPIN
     learnt = weights.bias_weight * weights.interval if slow else 0.0
     b, limit = m.gyroscope_bias - learnt * turn, weights.largest_bias
-    return Vec(_bounded(b.x, limit), _bounded(b.y, limit), _bounded(b.z, limit))
+    return Vec(_clamp(b.x, limit), _clamp(b.y, limit), _clamp(b.z, limit))
 
 
 @kernel
-def _followed(
+def _integrate(
     weights: Complementary, inertial: Inertial, m: ComplementaryMemory
 ) -> ComplementaryMemory:
     """Memory after one inertial sample: q̇ = ½ q ⊗ (ω + correction), v̇ = R f − g e_Z."""
@@ -247,7 +247,7 @@ def _missing_turn(believed: Quat, measured: Quat) -> Vec:
 
 
 @kernel
-def _informed(weights: Complementary, pose: Pose, m: ComplementaryMemory) -> ComplementaryMemory:
+def _correct(weights: Complementary, pose: Pose, m: ComplementaryMemory) -> ComplementaryMemory:
     """Memory after a pose, compared with the estimate extrapolated back by the pose's age."""
     age = positive_part(pose.age - m.waiting)
     then = quaternion_product(m.attitude, exponential_map(-age * m.angular_velocity))

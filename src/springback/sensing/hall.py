@@ -18,7 +18,7 @@ from springback.kernels.trees import Rarely, field_of, maximum, select, tree_map
 from springback.kernels.vectors import within
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Pace, Truth, due
-from springback.sensing.memory import Line, Nothing, arriving, constant_line, push
+from springback.sensing.memory import Line, Nothing, arrival, constant_line, push
 from springback.simulation.onboard import Draw
 from springback.simulation.ticks import Group, TickNoise, state_of, truth_of
 from springback.vehicle.state import State
@@ -215,13 +215,13 @@ def _perfect(
 
 
 @kernel
-def _sensed(span: Span, m: ArmMemory, length: float, sensors: HallSensors) -> ArmMemory:
+def _sample(span: Span, m: ArmMemory, length: float, sensors: HallSensors) -> ArmMemory:
     """One arm with the voltage for its present length."""
     return ArmMemory(m.line, m.word, m.length, length, output(sensors, span.free - length))
 
 
 @kernel
-def _entered(m: ArmMemory, normal: float, sensors: HallSensors) -> ArmMemory:
+def _convert(m: ArmMemory, normal: float, sensors: HallSensors) -> ArmMemory:
     """One arm with the converter's output for that voltage in transit."""
     word = word_of(sensors, m.output + sensors.noise * normal)
     return ArmMemory(push(m.line, word), m.word, m.length, m.sampled, m.output)
@@ -234,9 +234,9 @@ def _has_moved(m: ArmMemory, length: float) -> float:
 
 
 @kernel
-def _delivered(span: Span, m: ArmMemory, sensors: HallSensors) -> ArmMemory:
+def _deliver(span: Span, m: ArmMemory, sensors: HallSensors) -> ArmMemory:
     """One arm at a tick at which a sample arrives."""
-    word = arriving(m.line, sensors.delay, sensors.every.ticks)
+    word = arrival(m.line, sensors.delay, sensors.every.ticks)
     # The search takes longer than all else here, and an arm at rest repeats its output.
     length = m.length if word == m.word else calibrated_length(sensors, span, word)
     return ArmMemory(m.line, word, length, m.sampled, m.output)
@@ -245,16 +245,16 @@ def _delivered(span: Span, m: ArmMemory, sensors: HallSensors) -> ArmMemory:
 @kernel
 def _is_new(m: ArmMemory, sensors: HallSensors) -> float:
     """Flag, 1 if the arriving sample differs from the last."""
-    return select(arriving(m.line, sensors.delay, sensors.every.ticks) == m.word, 0.0, 1.0)
+    return select(arrival(m.line, sensors.delay, sensors.every.ticks) == m.word, 0.0, 1.0)
 
 
 @kernel
-def _sampling(sensors: HallSensors, tick: float) -> bool:
+def _is_sample_due(sensors: HallSensors, tick: float) -> bool:
     return due(tick, sensors.every)
 
 
 @kernel
-def _delivering(sensors: HallSensors, tick: float) -> bool:
+def _is_delivery_due(sensors: HallSensors, tick: float) -> bool:
     since = tick - sensors.delay
     return (since > -0.5) & due(since, sensors.every)
 
@@ -268,12 +268,16 @@ def _arms_read(
     noise: tuple[float, ...],
     memory: Rarely,
 ) -> ArmsRead:
-    arms, sampling, fresh = memory.tree.arms, _sampling(sensors, tick), _delivering(sensors, tick)
+    arms, sampling, fresh = (
+        memory.tree.arms,
+        _is_sample_due(sensors, tick),
+        _is_delivery_due(sensors, tick),
+    )
     if sampling:
-        arms = tree_map(_sensed, (sensors.spans, arms, truth.now.arm_length), (sensors,))
-        arms = tree_map(_entered, (arms, noise), (sensors,))
+        arms = tree_map(_sample, (sensors.spans, arms, truth.now.arm_length), (sensors,))
+        arms = tree_map(_convert, (arms, noise), (sensors,))
     if fresh:
-        arms = tree_map(_delivered, (sensors.spans, arms), (sensors,))
+        arms = tree_map(_deliver, (sensors.spans, arms), (sensors,))
     flag, new = 1.0 if fresh else 0.0, 1.0 if sampling | fresh else 0.0
     return ArmsRead(field_of(arms, "length"), flag, Rarely(new, HallMemory(arms)))
 
@@ -306,8 +310,8 @@ def _read_hall_sensors(device: TreeLayout, group: Group, noise: TickNoise) -> No
     sampling, moved, delivering, renewed = 0, 0, 0, 0
     for i in range(w * once):
         sensors = load(device, g, w, i)
-        fresh = _delivering(sensors, tick)
-        sampling += 1 if _sampling(sensors, tick) else 0
+        fresh = _is_delivery_due(sensors, tick)
+        sampling += 1 if _is_sample_due(sensors, tick) else 0
         delivering += 1 if fresh else 0
         store(select(fresh, 1.0, 0.0), seen.arm_length_fresh, g, w, i)
     for i in range(w * once if sampling > 0 else 0):
@@ -316,24 +320,24 @@ def _read_hall_sensors(device: TreeLayout, group: Group, noise: TickNoise) -> No
     for i in range(w * once if moved > 0 else 0):  # roots are expensive, and arms seldom move
         sensors, arms = load(device, g, w, i), load(memory, g, w, i)
         lengths = state_of(group, i).arm_length
-        now = tree_map(_sensed, (sensors.spans, arms, lengths), (sensors,))
-        store(select(_sampling(sensors, tick), now, arms), memory, g, w, i)
+        now = tree_map(_sample, (sensors.spans, arms, lengths), (sensors,))
+        store(select(_is_sample_due(sensors, tick), now, arms), memory, g, w, i)
     for i in range(w * once if sampling > 0 else 0):
         sensors, arms = load(device, g, w, i), load(memory, g, w, i)
         drawn = read(noise.channels, noise.drawn, noise.first, w, i)
-        now = tree_map(_entered, (arms, drawn), (sensors,))
-        store(select(_sampling(sensors, tick), now, arms), memory, g, w, i)
+        now = tree_map(_convert, (arms, drawn), (sensors,))
+        store(select(_is_sample_due(sensors, tick), now, arms), memory, g, w, i)
     for i in range(w * once if delivering > 0 else 0):
         sensors, arms = load(device, g, w, i), load(memory, g, w, i)
         changed = maximum(tree_map(_is_new, (arms,), (sensors,)))
-        renewed += 1 if _delivering(sensors, tick) & (changed > 0.5) else 0
+        renewed += 1 if _is_delivery_due(sensors, tick) & (changed > 0.5) else 0
     for i in range(w * once if tick < 0.5 else 0):
         store(field_of(load(memory, g, w, i), "length"), seen.arm_length, g, w, i)
     for i in range(w if renewed > 0 else 0):
         sensors, arms = load(device, g, w, i), load(memory, g, w, i)
         changed = maximum(tree_map(_is_new, (arms,), (sensors,)))
-        if _delivering(sensors, tick) and changed > 0.5:
-            arms = tree_map(_delivered, (sensors.spans, arms), (sensors,))
+        if _is_delivery_due(sensors, tick) and changed > 0.5:
+            arms = tree_map(_deliver, (sensors.spans, arms), (sensors,))
             store(arms, memory, g, w, i)
             store(field_of(arms, "length"), seen.arm_length, g, w, i)
 

@@ -40,7 +40,7 @@ def push(line: Line, sample: Any) -> Line:
 
 
 @kernel
-def arriving(line: Line, delay: float, every: float) -> Any:
+def arrival(line: Line, delay: float, every: float) -> Any:
     """Sample taken a delay ago, at a tick at which one arrives.
 
     Args:

@@ -11,7 +11,7 @@ from springback.kernels.trees import Rarely, select
 from springback.kernels.vectors import Quat, Vec, normalise, quaternion_rate
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Pace, Pose, Truth, due
-from springback.sensing.memory import Line, Nothing, arriving, constant_line, push
+from springback.sensing.memory import Line, Nothing, arrival, constant_line, push
 from springback.simulation.onboard import Draw
 from springback.simulation.ticks import Group, TickNoise, state_of, truth_of
 from springback.vehicle.state import State
@@ -120,7 +120,7 @@ def _lost(device: MotionCapture, lost: float, normal: float) -> float:
 
 
 @kernel
-def _exposed(
+def _expose(
     device: MotionCapture, state: State, noise: MotionCaptureNoise, lost: float
 ) -> Exposure:
     """Exposure at a state; ``lost`` is 1 if the last sample was lost."""
@@ -130,23 +130,23 @@ def _exposed(
 
 
 @kernel
-def _exposing(device: MotionCapture, tick: float) -> bool:
+def _is_exposure_due(device: MotionCapture, tick: float) -> bool:
     return due(tick, device.every)
 
 
 @kernel
-def _delivering(device: MotionCapture, tick: float) -> bool:
+def _is_delivery_due(device: MotionCapture, tick: float) -> bool:
     since = tick - device.delay
     return (since > -0.5) & due(since, device.every)
 
 
 @kernel
-def _delivered(
+def _deliver(
     device: MotionCapture, tick: float, period: float, m: MotionCaptureMemory
 ) -> CaptureStep:
     """Pose at a tick, after its exposure, with a sample that may arrive."""
-    arrived = arriving(m.line, device.delay, device.every.ticks)
-    fresh = select(_delivering(device, tick), arrived.seen, 0.0)
+    arrived = arrival(m.line, device.delay, device.every.ticks)
+    fresh = select(_is_delivery_due(device, tick), arrived.seen, 0.0)
     last = select(fresh > 0.5, arrived, m.last)
     taken_at = select(fresh > 0.5, tick - device.delay, m.taken_at)
     pose = Pose(last.position, last.attitude, fresh, (tick - taken_at) * period)
@@ -155,20 +155,20 @@ def _delivered(
 
 @pose_of.register(MotionCapture)
 @kernel
-def _captured(
+def _capture(
     device: MotionCapture,
     tick: float,
     truth: Truth,
     noise: MotionCaptureNoise,
     memory: Rarely,
 ) -> CaptureStep:
-    m, exposing = memory.tree, _exposing(device, tick)
-    sample = _exposed(device, truth.now, noise, m.lost)
+    m, exposing = memory.tree, _is_exposure_due(device, tick)
+    sample = _expose(device, truth.now, noise, m.lost)
     line = select(exposing, push(m.line, sample), m.line)
     lost = select(exposing, 1.0 - sample.seen, m.lost)
     after = MotionCaptureMemory(line, lost, m.last, m.taken_at)
-    got_now = _delivered(device, tick, truth.duration, after)
-    new = select(exposing | _delivering(device, tick), 1.0, 0.0)
+    got_now = _deliver(device, tick, truth.duration, after)
+    new = select(exposing | _is_delivery_due(device, tick), 1.0, 0.0)
     return CaptureStep(got_now.pose, Rarely(new, got_now.memory))
 
 
@@ -206,22 +206,25 @@ def _capture_at_times(device: TreeLayout, group: Group, noise: TickNoise) -> Non
     exposing, delivering, line = 0, 0, memory.line
     for i in range(w * once):
         camera, period = load(device, g, w, i), load(avionics.systems.period, g, w, i)
-        exposing += 1 if _exposing(camera, tick) else 0
-        delivering += 1 if _delivering(camera, tick) | (tick < 0.5) else 0
+        exposing += 1 if _is_exposure_due(camera, tick) else 0
+        delivering += 1 if _is_delivery_due(camera, tick) | (tick < 0.5) else 0
         store(0.0, pose.fresh, g, w, i)
         store((tick - load(memory.taken_at, g, w, i)) * period, pose.age, g, w, i)
     for i in range(w * once if exposing > 0 else 0):
-        now, before = _exposing(load(device, g, w, i), tick), load(line, g, w, i)
+        now, before = _is_exposure_due(load(device, g, w, i), tick), load(line, g, w, i)
         store(select(now, push(before, before.newest), before), line, g, w, i)
     for i in range(w * once if exposing > 0 else 0):
         camera, drawn = load(device, g, w, i), noise_of(load(noise.channels, noise.drawn, w, i))
         lost, before = load(memory.lost, g, w, i), load(line.newest, g, w, i)
-        sample, now = _exposed(camera, state_of(group, i), drawn, lost), _exposing(camera, tick)
+        sample, now = (
+            _expose(camera, state_of(group, i), drawn, lost),
+            _is_exposure_due(camera, tick),
+        )
         store(select(now, sample, before), line.newest, g, w, i)
         store(select(now, 1.0 - sample.seen, lost), memory.lost, g, w, i)
     for i in range(w * once if delivering > 0 else 0):
         m, period = load(memory, g, w, i), load(avionics.systems.period, g, w, i)
-        arrived = _delivered(load(device, g, w, i), tick, period, m)
+        arrived = _deliver(load(device, g, w, i), tick, period, m)
         store(arrived.pose, pose, g, w, i)
         store(arrived.memory.last, memory.last, g, w, i)
         store(arrived.memory.taken_at, memory.taken_at, g, w, i)

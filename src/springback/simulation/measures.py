@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from springback.dynamics.ledger import ledger_balance
 from springback.simulation.columns import Array, as_columns
 from springback.simulation.flight import FlightRecord
 from springback.simulation.record import NOT_FINITE, Record
@@ -57,10 +58,6 @@ def first_claimed(claims: list[tuple[Outcome, Any]], otherwise: Outcome) -> list
     return [said[k] for k in chosen.tolist()]
 
 
-#: An energy ledger closes if its residual is at most this share of the largest energy ...
-CLOSED = 1e-4
-#: ... or less than this, the rounding of heights and speeds of a vehicle at rest [J].
-ROUNDING = 1e-9
 #: Outcomes of a flight without a pilot that are no success.
 FAILURES = (Outcome.HIT_GROUND, Outcome.ARM_BOTTOMED, Outcome.NOT_FINITE)
 
@@ -166,12 +163,6 @@ def _body_contacts(record: Any) -> Array:
     return next(iter(record.contacts.hull), np.full_like(record.contacts.total, np.nan))
 
 
-def _largest(first: Array, *others: Array) -> Array:
-    for other in others:
-        first = np.maximum(first, other)
-    return first
-
-
 def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str, Array]:
     """Measures of many flights, in the order of `MEASURES`; NaN for events that did not happen.
 
@@ -183,17 +174,9 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
     """
     w, first, contacts, stepping = work, record.first_impact, record.contacts, record.stepping
     peaks, impact = record.peaks, record.impact_peaks
-    ground_level = before.gravity
-    start, end = before.total - ground_level, after.total - ground_level
-    losses = w.arm + w.stop + w.contact + w.friction + w.settling + w.air
-    fallen, kinetic = np.abs(after.gravity - ground_level), _largest(before.kinetic, after.kinetic)
-    scale = _largest(kinetic, losses, np.abs(w.thrust), np.abs(w.air), fallen)
+    balance = ledger_balance(work, before, after)
     touched = first.touch_time >= 0.0
     left, back = first.separation_time >= 0.0, first.return_time >= 0.0
-    with np.errstate(divide="ignore", invalid="ignore"):
-        left_over = end - start - w.thrust + losses
-        residual = np.where(scale > 0.0, left_over / scale, 0.0)
-        closes = (np.abs(residual) <= CLOSED) | (np.abs(left_over) <= ROUNDING)
     values: dict[str, Any] = {
         "restitution_at_separation": _ratio(first.separation_speed, first.touch_speed, left),
         "restitution_at_return": _ratio(first.return_speed, first.touch_speed, back),
@@ -236,10 +219,10 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
         "ground_time": _time(contacts.ground_time),
         "end_time": stepping.time,
         "steps": stepping.steps,
-        "energy_start": start,
-        "energy_end": end,
+        "energy_start": balance.start,
+        "energy_end": balance.end,
         "energy_kinetic": after.kinetic,
-        "energy_gravity": after.gravity - ground_level,
+        "energy_gravity": after.gravity - before.gravity,
         "energy_springs": after.springs,
         "energy_stops": after.stops,
         "energy_contact": after.contact,
@@ -250,8 +233,8 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
         "loss_friction": w.friction,
         "loss_settling": w.settling,
         "loss_air": w.air,
-        "ledger_residual": residual,
-        "ledger_open": np.where(closes, 0.0, 1.0),
+        "ledger_residual": balance.residual,
+        "ledger_open": np.where(balance.closes, 0.0, 1.0),
     }
     return {name: where(np.isfinite(value), value) for name, value in values.items()}
 

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.contact.cage import BodyMotion, CageContact, body_motion, cage_contact
-from springback.contact.hull import hull_contact
+from springback.contact.hull_contact import hull_contact
 from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
 from springback.dynamics.energy import Energy, energy
 from springback.kernels.compiler import executor, kernel, user_executor

@@ -174,12 +174,12 @@ def _largest_change(now: tuple[float, ...], before: tuple[float, ...]) -> float:
 
 
 @kernel
-def _touching(engaged: tuple[float, ...]) -> float:
+def _touch(engaged: tuple[float, ...]) -> float:
     return maximum(engaged)
 
 
 @kernel
-def _unsettled(arm: Arm, view: ArmView, rate: float, timing: Timing) -> float:
+def _is_unsettled(arm: Arm, view: ArmView, rate: float, timing: Timing) -> float:
     """1 while a sliding arm is away from its balance, or moves.
 
     Its balance is its free length only while the vehicle does not turn.
@@ -305,13 +305,13 @@ def situation_of(model: Model, state: State, view: View, m: Record) -> Situation
     """Contacts and phase at an instant; ``m`` is the record before."""
     timing, now, before = model.timing, m.stepping, m.contacts
     engaged = Engaged(field_of(view.arms, "engaged"), field_of(view.hull, "engaged"))
-    arm_touching = tree_map(_touching, (engaged.arms,), ())
-    hull_touching = tree_map(_touching, (engaged.hull,), ())
+    arm_touching = tree_map(_touch, (engaged.arms,), ())
+    hull_touching = tree_map(_touch, (engaged.hull,), ())
     touching = maximum(arm_touching + hull_touching)
 
     # Phases: with arms that are locked or slide, and with short steps or long ones.
     unsettled = maximum(
-        tree_map(_unsettled, (model.airframe.arms, view.arms, state.arm_rate), (timing,))
+        tree_map(_is_unsettled, (model.airframe.arms, view.arms, state.arm_rate), (timing,))
     )
     still_busy = select(unsettled > 0.0, now.phase, FREE_FLIGHT)
     phase = select(touching > 0.0, IMPACT, still_busy)
@@ -341,8 +341,8 @@ def _contacts_after(view: View, m: Record, at: Situation, step: float) -> Contac
         touching=at.touching,
         total=before.total + select(at.began, 1.0, 0.0),
         engaged=at.engaged,
-        arms=tree_map(_count, (before.arms, at.arms, tree_map(_touching, (engaged.arms,), ())), ()),
-        hull=tree_map(_count, (before.hull, at.hull, tree_map(_touching, (engaged.hull,), ())), ()),
+        arms=tree_map(_count, (before.arms, at.arms, tree_map(_touch, (engaged.arms,), ())), ()),
+        hull=tree_map(_count, (before.hull, at.hull, tree_map(_touch, (engaged.hull,), ())), ()),
         impacts=at.impacts,
         impact_open=at.impact_open,
         last_touch_time=at.last_touch_time,

@@ -285,7 +285,7 @@ def characterisation_error(
     force = np.linalg.norm(_vectors(trace, "contact_force")[first : last + 1], axis=1).max()
     place = _vectors(trace, "state.position")[at]
     imu = np.abs(_vectors(telemetry, "measurement.inertial.specific_force")[looking])
-    limit = ready.avionics.systems.pilot.look.limit
+    limit = ready.avionics.systems.pilot.characterisation.limit
     return CharacterisationError(
         approach=approach,
         clipped=bool(imu.max() >= limit),

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from springback.recovery.parameters import Detecting
+from springback.recovery.parameters import DetectionSettings
 from springback.studies.detection import (
     CHARACTERISED_FROM,
     IN_TIME,
@@ -30,7 +30,7 @@ PERSISTENCES = (1, 3)
 def default_threshold(trigger: str) -> float:
     """Default threshold of a trigger, in its unit."""
     name = "wrench" if trigger == "momentum" else trigger
-    return float(getattr(Detecting(), name).threshold)
+    return float(getattr(DetectionSettings(), name).threshold)
 
 
 def _median(values: Iterable[float]) -> float | None:

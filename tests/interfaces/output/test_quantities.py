@@ -6,13 +6,13 @@ import math
 
 import pytest
 
-from springback.campaign.analysis.intervals import IntervalEstimate
 from springback.interfaces.output.quantities import (
     display_unit,
     estimate_text,
     interval_text,
     quantity_text,
 )
+from springback.intervals import IntervalEstimate
 
 
 @pytest.mark.parametrize(

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 
 from springback.campaign.access import Campaign
-from springback.campaign.analysis.intervals import IntervalEstimate, Values, quantile
 from springback.campaign.analysis.marginals import MeasureColumn, measure_column
 from springback.campaign.analysis.statistics import ordered_values
 from springback.errors import InputError
+from springback.intervals import IntervalEstimate, Values, quantile
 from springback.results.database import identifier
 
 #: Shares of flights below the quantiles of a measure.
@@ -65,7 +65,7 @@ def distribution(campaign: Campaign, name: str) -> MeasureDistribution:
             has.
     """
     what, values, flown = measure_column(campaign, name), {}, {}
-    for robot in campaign.about["robots"]:
+    for robot in campaign.metadata["robots"]:
         sql = f"""SELECT {identifier(what.name)}::DOUBLE AS value FROM flights
                   WHERE robot = ? AND outcome <> 'refused'"""
         found = campaign.arrays(sql, [robot])["value"]

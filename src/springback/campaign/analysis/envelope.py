@@ -1,4 +1,4 @@
-"""Resilience envelope: success over two parameters, and its 95 % contour."""
+"""Resilience envelope as flown: success over two parameters, and its 95 % contour."""
 
 from __future__ import annotations
 
@@ -8,9 +8,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.campaign.analysis.intervals import IntervalEstimate, Values, share
+from springback.intervals import CONFIDENCE, IntervalEstimate, Values, share
 from springback.simulation.measures import Outcome
-from springback.studies.proportions import CONFIDENCE
 from springback.studies.trials import Scatter
 from springback.version import __version__
 

@@ -10,11 +10,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.campaign.access import Campaign
-from springback.campaign.analysis.intervals import IntervalEstimate, Values, quantile, share
 from springback.campaign.analysis.statistics import ordered_values
 from springback.campaign.columns import FLIGHT, RESULT, known_columns
 from springback.campaign.design.distributions import LevelSet, NormalFactor
 from springback.errors import InputError
+from springback.intervals import IntervalEstimate, Values, quantile, share
 from springback.results.database import identifier
 from springback.settings import nearest_name
 
@@ -186,7 +186,7 @@ def marginal(campaign: Campaign, name: str, cells: int = 12, *, measure: str = S
     """
     what, cut = measure_column(campaign, measure), scale(campaign, name, cells)
     robots = {
-        robot: tuple(_along(campaign, what, cut, robot)) for robot in campaign.about["robots"]
+        robot: tuple(_along(campaign, what, cut, robot)) for robot in campaign.metadata["robots"]
     }
     return Marginal(what, cut, robots)
 
@@ -254,7 +254,7 @@ def field_map(
     sql = f"""SELECT robot, cell, line, count(value), {of} FROM ({inner})
               WHERE {_KNOWN} AND line >= 0 GROUP BY robot, cell, line"""
     shape = (up.cells, across.cells)
-    names: Sequence[str] = campaign.about["robots"]
+    names: Sequence[str] = campaign.metadata["robots"]
     flights = {robot: np.zeros(shape) for robot in names}
     values = {robot: np.full(shape, np.nan) for robot in names}
     for robot, i, j, count, found in campaign.query(sql).rows:

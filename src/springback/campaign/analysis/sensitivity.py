@@ -11,12 +11,11 @@ import numpy.typing as npt
 import scipy  # submodules are loaded on first use
 
 from springback.campaign.access import Campaign
-from springback.campaign.analysis.intervals import IntervalEstimate, Values
 from springback.campaign.analysis.marginals import MeasureColumn, measure_column, scale
 from springback.campaign.analysis.statistics import ordered_values
+from springback.intervals import CONFIDENCE, IntervalEstimate, Values
 from springback.results.database import identifier
 from springback.simulation.noise import Purpose, stream
-from springback.studies.proportions import CONFIDENCE
 
 #: Fewest samples for which indices are given (chosen: below, intervals reach ± 0.2 and more).
 LEAST = 128
@@ -83,7 +82,7 @@ def sensitivity(campaign: Campaign, name: str, fields: Sequence[str]) -> Sensiti
     found: dict[str, dict[str, IntervalEstimate]] = {}
     flights: dict[str, int] = {}
     reasons = []
-    for robot in campaign.about["robots"]:
+    for robot in campaign.metadata["robots"]:
         rows = _rows(campaign, what, others, robot)
         values, samples = rows.pop("value"), rows.pop("sample")
         flights[robot], count = len(values), len(np.unique(samples))
@@ -151,7 +150,7 @@ def first_order_indices(
     found = {}
     for name, x in fields.items():
         classes = _classes(x, class_count(len(np.unique(samples))))
-        value, *others = _explained(weights, squares, groups, classes, centred).tolist()
+        value, *others = _explained_share(weights, squares, groups, classes, centred).tolist()
         estimate, error = min(1.0, max(0.0, value)), reach * float(np.std(others, ddof=1))
         bounds = (estimate, estimate - error, estimate + error)
         found[name] = IntervalEstimate(*(min(1.0, max(0.0, bound)) for bound in bounds))
@@ -177,7 +176,7 @@ def _classes(x: Values, count: int) -> Classes:
     return ranks * count // len(x)
 
 
-def _explained(
+def _explained_share(
     weights: Values, squares: Values, groups: Classes, classes: Classes, y: Values
 ) -> Values:
     """Share of the variance between classes, for each row of weights of the groups."""

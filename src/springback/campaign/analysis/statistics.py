@@ -9,17 +9,17 @@ from typing import Any
 import numpy as np
 
 from springback.campaign.access import Campaign
-from springback.campaign.analysis.intervals import (
+from springback.campaign.columns import known_columns
+from springback.errors import InputError
+from springback.intervals import (
+    CONFIDENCE,
     IntervalEstimate,
     Values,
     paired_difference,
     quantile,
     share,
 )
-from springback.campaign.columns import known_columns
-from springback.errors import InputError
 from springback.results.saved import LARGEST
-from springback.studies.proportions import CONFIDENCE
 
 #: Measures of a summary, if any flight has them.
 MAIN = (
@@ -121,7 +121,7 @@ class Summary:
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data, for JSON."""
-        about = self.campaign.about
+        about = self.campaign.metadata
         return {
             "name": about["name"], "seed": about["seed"], "plan_sha256": about["plan_sha256"],
             "versions": about["versions"], "host": about["host"], "cpu": about["cpu"],
@@ -142,7 +142,7 @@ def summary(campaign: Campaign) -> Summary:
     """
     if not campaign.done:
         raise InputError(f"{campaign.folder}: has no flights yet")
-    names = campaign.about["robots"]
+    names = campaign.metadata["robots"]
     robots = tuple(_robot(campaign, robot) for robot in names)
     pairs = tuple(
         _pair(campaign, (first, second))

@@ -16,7 +16,7 @@ from springback.quantities import Unit
 from springback.scenario.code_files import with_absolute_names
 from springback.scenario.files import place_of, read_scenario
 from springback.scenario.overrides import apply_overrides
-from springback.scenario.presets import is_vehicle_file, vehicle_file, vehicle_table
+from springback.scenario.presets import is_vehicle_file, read_vehicle, vehicle_table
 from springback.scenario.source_text import json_tables, source_text, toml_tables
 from springback.settings import Name, Settings, problem
 from springback.studies.trials import Scatter
@@ -192,7 +192,7 @@ class Plan(Settings):
     keep: Keep | None = None
 
     @model_validator(mode="after")
-    def _counted(self, info: ValidationInfo) -> Plan:
+    def _check_counts(self, info: ValidationInfo) -> Plan:
         if self.method == "grid" and self.samples is not None:
             raise problem("cannot be given for a grid, which has its points", "samples")
         if self.method != "grid" and self.samples is None:
@@ -206,7 +206,7 @@ class Plan(Settings):
     @classmethod
     def in_words(cls, error: ValidationError) -> list[str]:
         """Problems of a plan built in Python, one line each."""
-        return [Source().problem_line(*_named(*found)) for found in problem_paths(error)]
+        return [Source().problem_line(*_in_users_words(*found)) for found in problem_paths(error)]
 
     def canonical(self) -> str:
         """Plan as JSON, the same text for the same plan."""
@@ -279,11 +279,11 @@ def plan_from(given: dict[str, Any], source: Source | None = None) -> Plan:
         return Plan.model_validate(given)
     except ValidationError as error:
         raise InputError(
-            *(problem_line(*_named(*found)) for found in problem_paths(error))
+            *(problem_line(*_in_users_words(*found)) for found in problem_paths(error))
         ) from None
 
 
-def _named(path: tuple[str | int, ...], what: str) -> tuple[tuple[str | int, ...], str]:
+def _in_users_words(path: tuple[str | int, ...], what: str) -> tuple[tuple[str | int, ...], str]:
     """Path and message without pydantic's names of union branches, and with the user's keys."""
     kept = tuple(key for key in path if not (isinstance(key, str) and key.startswith("dict[")))
     if kept[:1] == ("scenario",):
@@ -316,7 +316,7 @@ def _with_vehicles(plan: Plan, folder: Path, source: Source) -> Plan:
     for k, robot in enumerate(robots):
         if is_vehicle_file(robot):
             try:
-                table = vehicle_file(folder / robot)
+                table = read_vehicle(folder / robot)
             except InputError as error:
                 raise InputError(source.problem_line(("robots", k), str(error))) from None
             robots[k] = str(table["name"])

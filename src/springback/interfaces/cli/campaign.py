@@ -94,16 +94,16 @@ def campaign(
     again = shlex.join(["springback", *sys.argv[1:], *([] if resume else ["--resume"])])
     interrupts.say(f"interrupted; completed flights are saved; resume with: {again}")
     try:
-        with _progress(output) as (tell, remark):
+        with _progress(output) as (show, remark):
             flown = run_campaign(
                 design, out, resume=resume, workers=workers, chunk=chunk, scheduler=scheduler,
-                tls=tls, device=device, progress=tell, remark=remark,
+                tls=tls, device=device, progress=show, remark=remark,
             )  # fmt: skip
     except CampaignError as error:
         say(f"error: {error}")
         say(f"completed flights are saved; resume with: {again}")
         sys.exit(1)
-    _finished(flown, output)
+    _report(flown, output)
 
 
 def _tls(
@@ -134,7 +134,7 @@ def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> 
     return lay_out(stored_plan(out), tried=False)
 
 
-def _finished(flown: Any, output: Output) -> None:
+def _report(flown: Any, output: Output) -> None:
     from springback.interfaces.output.tables import as_text
 
     sql = "SELECT robot, outcome, count(*) AS flights FROM flights GROUP BY ALL ORDER BY ALL"
@@ -158,12 +158,12 @@ def _progress(
         return
     last = [-BETWEEN_LINES]
 
-    def tell(now: CampaignProgress) -> None:
+    def show(now: CampaignProgress) -> None:
         if time.monotonic() - last[0] >= BETWEEN_LINES or now.done == now.flights:
             last[0] = time.monotonic()
             output.note(now.sentence() + ("" if now.rate or now.done == now.flights else WAIT))
 
-    yield tell, say
+    yield show, say
 
 
 @contextlib.contextmanager
@@ -177,14 +177,14 @@ def _bar(
     with Bars(*columns, console=console, transient=True) as bars:
         task = bars.add_task(f"starting{WAIT}", total=1)
 
-        def tell(now: CampaignProgress) -> None:
+        def show(now: CampaignProgress) -> None:
             said = now.sentence() if now.rate else None
             bars.update(task, completed=now.done, total=now.flights, description=said)
 
         def remark(text: str) -> None:
             console.print(plain_text(text), markup=False, highlight=False)
 
-        yield tell, remark
+        yield show, remark
 
 
 def _print_cost(design: Any, workers: int | None, output: Output) -> None:
@@ -256,7 +256,7 @@ def _columns(known: Any) -> list[tuple[Any, ...]]:
 
     meanings = known_columns()
     rest = [name for name in meanings if name not in FLIGHT and name not in RESULT]
-    names = [*FLIGHT, *known.about["units"], *RESULT, *rest]
+    names = [*FLIGHT, *known.metadata["units"], *RESULT, *rest]
     units = known.units
     return [
         (name, units[name], meanings.get(name, ("", "varied by the plan"))[1]) for name in names

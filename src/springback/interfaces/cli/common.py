@@ -172,7 +172,7 @@ def trials_option(default: int, of: str = "Trials of each test.") -> Callable[[C
 
 def terminal_options(*flags: str) -> Callable[[Command], Command]:
     """Decorator that adds some of `FLAGS`, and passes them as ``terminal``."""
-    return _gathered(Terminal, "terminal", *(FLAGS[flag] for flag in flags))
+    return _gather(Terminal, "terminal", *(FLAGS[flag] for flag in flags))
 
 
 def output_options(
@@ -190,10 +190,10 @@ def output_options(
         "--out", type=PATH, required=required and default is None, default=default,
         show_default=default is not None, help=what,
     )  # fmt: skip
-    return _gathered(Output, "output", out, *(FLAGS[flag] for flag in flags or FLAGS))
+    return _gather(Output, "output", out, *(FLAGS[flag] for flag in flags or FLAGS))
 
 
-def _gathered(
+def _gather(
     kind: type[Terminal], name: str, *options: Callable[[Command], Command]
 ) -> Callable[[Command], Command]:
     own = [field.name for field in fields(kind)]

@@ -47,7 +47,7 @@ def map_command(
     """
     from importlib.util import find_spec
 
-    from springback.campaign.envelope import envelope_cost, fly_envelope, plan_envelope
+    from springback.campaign.envelope_plan import envelope_cost, fly_envelope, plan_envelope
     from springback.interfaces.reports.study_files import write_study
 
     with output.spinner("reading"):

@@ -34,13 +34,13 @@ def reproduce(part: str, readings: tuple[str, ...], output: Output) -> None:
     needs("matplotlib", "plot")
     needs("jinja2", "plot")
     with output.folder() as folder:
-        rows = _reproduced(part, readings, folder, output)
+        rows = _reproduce(part, readings, folder, output)
     if output.as_json or not output.quiet:
         output.print([row.as_dict() for row in rows], _table(rows))
     output.note(f"report: {output.out}/report.html")
 
 
-def _reproduced(part: str, readings: tuple[str, ...], folder: Path, output: Output) -> list[Any]:
+def _reproduce(part: str, readings: tuple[str, ...], folder: Path, output: Output) -> list[Any]:
     """Reproduce a part, write the report into a folder, and return the compared numbers."""
     from springback.interfaces.reproduction.report import Results, write_report
     from springback.paper.features import feature_rows

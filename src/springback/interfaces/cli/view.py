@@ -145,7 +145,7 @@ def _which_row(folder: Path, path: Path) -> str:
         return f"holds the kept flights {some}; replay one: springback view {shown} {stored[0]}"
     found = failures(known, 1)
     first = found.rows[0]["flight"] if found.rows else 0
-    last = known.about["flights"] - 1
+    last = known.metadata["flights"] - 1
     return (
         f"holds a campaign of flights 0 to {last}; name one: springback view {shown} {first} "
         f"({found.failed} flew without success; springback summary {shown} lists some)"

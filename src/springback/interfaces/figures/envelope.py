@@ -12,7 +12,6 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Rectangle
 
 from springback.campaign.analysis.envelope import LEVEL, Axis, CellIndex, Envelope
-from springback.campaign.analysis.intervals import Values
 from springback.interfaces.figures.chart import (
     Chart,
     add_share_bar,
@@ -22,6 +21,7 @@ from springback.interfaces.figures.chart import (
 )
 from springback.interfaces.figures.style import StyledFigure, in_style
 from springback.interfaces.output.robots import GREY, INK, RED, SHADE, robot_label
+from springback.intervals import Values
 from springback.studies.run_ups import CONDITIONS
 
 #: Printed result of a robot's test at a pitch [deg] and a speed [m/s]: a key of `PRINTED_MARKS`,

@@ -15,7 +15,7 @@ from springback.interfaces.figures.chart import Chart
 from springback.interfaces.figures.style import StyledFigure, in_style
 from springback.interfaces.output.quantities import display_unit
 from springback.interfaces.output.robots import robot_styles
-from springback.studies.proportions import CONFIDENCE
+from springback.intervals import CONFIDENCE
 
 #: Fewest and most bins of a histogram, and most points of a curve (chosen).
 BINS, POINTS = (8, 48), 400

@@ -79,7 +79,7 @@ def measure_rows(settings: LabSettings, flights: dict[str, Flight]) -> list[dict
         values = {robot: one.read(f.measures) for robot, f in flights.items()}
         if all(value is None for value in values.values()):
             continue
-        printed = {robot: _printed(settings, robot, one) for robot in flights}
+        printed = {robot: _printed_text(settings, robot, one) for robot in flights}
         rows.append(
             {"name": one.name, "label": one.label, "unit": one.unit, "values": values,
              "printed": {robot: word for robot, word in printed.items() if word}}
@@ -95,7 +95,7 @@ def measure_rows(settings: LabSettings, flights: dict[str, Flight]) -> list[dict
     return rows
 
 
-def _printed(settings: LabSettings, robot: str, one: Measure) -> str:
+def _printed_text(settings: LabSettings, robot: str, one: Measure) -> str:
     """Number of Table III as shown: simulated, and in brackets the tested one where printed."""
     if (robot, settings.mode, settings.pitch, settings.speed) == ("arq", "flight", *FASTEST):
         return f"{PITCHES[one.name]:.3g}" if one.name in PITCHES else ""

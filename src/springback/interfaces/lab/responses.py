@@ -1,4 +1,4 @@
-"""Answers of the impact lab: flights as scenes with their energy balance, measures, a sentence."""
+"""Responses of the impact lab: scenes of flights, energy balances, measures and a sentence."""
 
 from __future__ import annotations
 
@@ -83,8 +83,11 @@ def _flight_response(settings: LabSettings, robot: str, flight: Flight) -> dict[
     coarse = coarse_flight(flight)
     label = robot_name(settings, robot)
     scene = scene_of(coarse, label=label)
-    books = ledger(flight)
-    series = (*curves(coarse, scene), *energy_series(books, np.searchsorted(books["t"], scene.t)))
+    energies = ledger(flight)
+    series = (
+        *curves(coarse, scene),
+        *energy_series(energies, np.searchsorted(energies["t"], scene.t)),
+    )
     return {
         "robot": robot,
         "label": label,
@@ -150,12 +153,12 @@ def curves(flight: Flight, scene: Scene) -> Iterable[Series]:
     yield Series("Contact force", "sum of all contacts", "N", pushed)
 
 
-def energy_series(books: dict[str, Any], places: Any) -> Iterable[Series]:
+def energy_series(energies: dict[str, Any], places: Any) -> Iterable[Series]:
     """The energy balance as series: its significant parts, in stacking order.
 
     The input by rotors and height is not a part of its own: it is the sum of all parts.
     """
-    most = max(float(np.max(np.abs(books[name]))) for name in PARTS)
+    most = max(float(np.max(np.abs(energies[name]))) for name in PARTS)
     for name, words in PARTS.items():
-        if float(np.max(np.abs(books[name]))) > TOO_SMALL * most:
-            yield Series(ENERGY, words, "J", books[name][places])
+        if float(np.max(np.abs(energies[name]))) > TOO_SMALL * most:
+            yield Series(ENERGY, words, "J", energies[name][places])

@@ -102,14 +102,14 @@ def _as_in_file(s: LabSettings, robot: str, user: UserScenario) -> Table:
     """The user's scenario, with the changes of the page; unchanged, to its last number."""
     given = user.tables | {"vehicle": vehicle_table_of(s, robot, slides=False)}
     if user.run_up is not None:
-        given["reference"] = user.tables["reference"] | _changed(
+        given["reference"] = user.tables["reference"] | _changes(
             s, speed=f"{digits(s.speed)} m/s", pitch=f"{digits(s.pitch)} deg"
         )
     elif not user.is_piloted:
         given["start"] = user.tables.get("start", {}) | _start(s, user)
     if not is_default(s, "surface", *_SURFACE) and user.surface is not None:
         world = user.tables["world"]
-        faces = [_faced(s, entry, slides=False) for entry in world["obstacles"]]
+        faces = [_with_surface(s, entry, slides=False) for entry in world["obstacles"]]
         given["world"] = world | {"obstacles": faces}
     if not (is_default(s, "speed", "pitch", "yaw", "surface", *_SURFACE, *VEHICLE_SETTINGS)
             and robot in ("mine", "file")):  # fmt: skip
@@ -120,13 +120,13 @@ def _as_in_file(s: LabSettings, robot: str, user: UserScenario) -> Table:
 _SURFACE = ("contact_stiffness", "dissipation", "friction")
 
 
-def _changed(s: LabSettings, **values: str) -> Table:
+def _changes(s: LabSettings, **values: str) -> Table:
     return {name: text for name, text in values.items() if not is_default(s, name)}
 
 
 def _start(s: LabSettings, user: UserScenario) -> Table:
     """Changed values of the start."""
-    start, found = user.scenario.start, _changed(s, pitch=f"{digits(s.pitch)} deg")
+    start, found = user.scenario.start, _changes(s, pitch=f"{digits(s.pitch)} deg")
     more: Table = {}
     if not is_default(s, "speed") and user.speed:
         share = s.speed / math.hypot(*start.velocity)
@@ -137,7 +137,7 @@ def _start(s: LabSettings, user: UserScenario) -> Table:
     return found | more
 
 
-def _faced(s: LabSettings, entry: Table, slides: bool) -> Table:
+def _with_surface(s: LabSettings, entry: Table, slides: bool) -> Table:
     """An obstacle of the file with the chosen surface in front; ground is left as it is."""
     if entry.get("type") not in ("wall", "mat"):
         return entry

@@ -27,7 +27,7 @@ from springback.interfaces.lab.vehicle_controls import VEHICLE_FIELDS, control_f
 from springback.interfaces.output.robots import ROBOTS
 from springback.paper.printed import SLIDER_SPEED, SWEEP_SPEEDS
 from springback.problems import problem_paths
-from springback.recovery.parameters import Answering
+from springback.recovery.parameters import ResponseSettings
 from springback.scenario.fields import fields_of
 from springback.settings import Settings
 from springback.studies.run_ups import CONDITIONS
@@ -37,7 +37,7 @@ When = Mapping[str, tuple[str, ...]]
 #: Longest query that is read [characters] (chosen).
 LONGEST_QUERY = 800
 
-WAYS = fields_of(Answering)["way"].words
+WAYS = fields_of(ResponseSettings)["way"].words
 
 
 _WALL, _MAT = SURFACES["wall"], SURFACES["mat"]

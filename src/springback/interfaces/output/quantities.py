@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from springback.campaign.analysis.intervals import IntervalEstimate
+from springback.intervals import IntervalEstimate
 
 #: Units that take a prefix, and the prefixes with the largest magnitudes that they serve.
 PREFIXED = ("m", "s", "N", "J")

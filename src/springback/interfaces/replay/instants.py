@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from springback.results.events import intervals, parts_of, touching
+from springback.results.events import contact_mask, intervals, parts_of
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Places = np.ndarray[Any, np.dtype[np.intp]]
@@ -75,7 +75,7 @@ def drawn_instants(columns: Mapping[str, Array], arms: int) -> Places:
     keep = np.zeros(len(t), dtype=bool)
     keep[[0, -1]] = True
     close = 0
-    for first, last in intervals(t, touching(columns)):
+    for first, last in intervals(t, contact_mask(columns)):
         begin, end = np.searchsorted(t, [t[first] - NEAR, t[last] + NEAR])
         keep[[max(first - 1, 0), first, last, min(last + 1, len(t) - 1)]] = True
         end = min(int(end), int(begin) + MOST_NEAR - close)

@@ -132,7 +132,7 @@ def plain_signals(flight: Flight, scene: Scene) -> dict[str, Any]:
 
 def _plain_table(table: SignalTable) -> dict[str, Any]:
     heads, parts = [], []
-    for name, values, low, step, levels in _rounded(table):
+    for name, values, low, step, levels in _round_columns(table):
         heads.append({"name": name, "unit": table.units[name], "group": group_of(name),
                       "low": low, "step": step})  # fmt: skip
         steps = np.diff(levels, prepend=0).astype("<u2")  # modulo 65536
@@ -147,7 +147,7 @@ def _plain_table(table: SignalTable) -> dict[str, Any]:
     }
 
 
-def _rounded(table: SignalTable) -> Iterator[tuple[str, Array, float, float, Any]]:
+def _round_columns(table: SignalTable) -> Iterator[tuple[str, Array, float, float, Any]]:
     """Columns with offset, step and integers, all finite."""
     for name, values in table.columns.items():
         known = np.clip(np.nan_to_num(values), -LARGEST, LARGEST)

@@ -21,7 +21,7 @@ from springback.interfaces.reports.outcomes import (
 
 def summary_text(found: Summary, measures: Sequence[MeasureReport] = ()) -> str:
     """Summary for a terminal."""
-    about = found.campaign.about
+    about = found.campaign.metadata
     done, of = found.campaign.done, about["flights"]
     state = "complete" if done == of else f"{100.0 * done / of:.1f} %, continue with --resume"
     lines = [

@@ -36,7 +36,7 @@ from springback.interfaces.reports.page import (
     page,
     table,
 )
-from springback.studies.proportions import CONFIDENCE
+from springback.intervals import CONFIDENCE
 
 WORDS = Wording.of("campaign")
 #: Number of fields whose pairs are drawn by default: of success, and of a measure (chosen).
@@ -74,17 +74,17 @@ def write_page(
     sections = _sections(found, reports, drawn)
     lead = WORDS.say(
         "lead", **_about(found), done=found.campaign.done,
-        version=found.campaign.about["versions"].get("springback", "?"),
+        version=found.campaign.metadata["versions"].get("springback", "?"),
     )  # fmt: skip
     written.append(folder / "summary.html")
-    text = page(str(found.campaign.about["name"]), sections, lead=lead)
+    text = page(str(found.campaign.metadata["name"]), sections, lead=lead)
     written[-1].write_text(text, encoding="utf-8")
     return written
 
 
 def _about(found: Summary) -> dict[str, Any]:
     """Facts on the campaign, with the time of its start to the minute."""
-    about = dict(found.campaign.about)
+    about = dict(found.campaign.metadata)
     return about | {"started": str(about.get("started", "?"))[:16].replace("T", " ")}
 
 

@@ -52,7 +52,7 @@ def _picture(flight: Flight) -> str:
 
 def campaign_html(campaign: Campaign) -> str:
     """State of a campaign, and its outcomes by robot."""
-    flights = int(campaign.about["flights"])
+    flights = int(campaign.metadata["flights"])
     head = (
         f"<p><b>{html.escape(campaign.folder.name)}</b>: {campaign.done} of {flights} flights"
         f"{'' if campaign.complete else '; continue with resume=True'}</p>"

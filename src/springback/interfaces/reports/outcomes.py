@@ -8,7 +8,6 @@ from typing import Any
 from springback.campaign.analysis.distribution import PARTS as DISTRIBUTION
 from springback.campaign.analysis.distribution import MeasureDistribution
 from springback.campaign.analysis.failures import FailureList
-from springback.campaign.analysis.intervals import IntervalEstimate
 from springback.campaign.analysis.sensitivity import Sensitivity
 from springback.campaign.analysis.statistics import PARTS, RobotSummary
 from springback.campaign.columns import known_columns
@@ -19,6 +18,7 @@ from springback.interfaces.output.quantities import (
     interval_text,
     quantity_text,
 )
+from springback.intervals import IntervalEstimate
 
 Rows = tuple[list[str], list[tuple[Any, ...]]]
 """Heads of a table, and its rows."""

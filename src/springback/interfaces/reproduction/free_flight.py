@@ -105,7 +105,7 @@ def _by_line(rows: Sequence[Row]) -> dict[tuple[str, str], dict[str, Row]]:
     return lines
 
 
-def _named(rows: Sequence[Row], robots: Mapping[str, str]) -> str:
+def _contradictions(rows: Sequence[Row], robots: Mapping[str, str]) -> str:
     """Contradicted numbers as text, line by line."""
     words = []
     for line in _by_line([row for row in rows if row.mark is Mark.CONTRADICTED]).values():
@@ -126,7 +126,7 @@ def _features(rows: Sequence[Row]) -> Content:
         r for r in rows
         if r.robot == "arq" and r.quantity == "hover time" and r.mark is not Mark.FITTED
     ]  # fmt: skip
-    wrong = _named(rows, {name: look.label for name, look in LOOKS.items()})
+    wrong = _contradictions(rows, {name: look.label for name, look in LOOKS.items()})
     return {
         "payload": _ours(payload),
         "payload_printed": payload.printed,
@@ -150,13 +150,15 @@ def _range(words: Sequence[str]) -> str:
 def _features_table(rows: Sequence[Row]) -> list[list[Entry]]:
     lines: list[list[Entry]] = []
     for line in _by_line(sorted(rows, key=lambda row: row.robot != "arq")).values():
-        cells = [cell(line.get(robot)) for robot in ("quad", "arq") for cell in (_printed, _ours)]
+        cells = [
+            cell(line.get(robot)) for robot in ("quad", "arq") for cell in (_printed_cell, _ours)
+        ]
         notes = dict.fromkeys(row.note for row in line.values() if row.note)
         lines.append([_label(next(iter(line.values()))), *cells, "; ".join(notes) or None])
     return lines
 
 
-def _printed(row: Row | None, scale: float = 1.0) -> TableCell:
+def _printed_cell(row: Row | None, scale: float = 1.0) -> TableCell:
     if row is None or row.printed is None:
         return TableCell("–")
     return TableCell(plain(scale * row.printed), row.printed)
@@ -216,7 +218,7 @@ def _table_iv(rows: Sequence[Row], scale: float = 1.0, prefix: str = "") -> list
         cells: list[Entry] = []
         for robot in NAMES:
             row = line.get(robot)
-            cells += [_printed(row, scale), replace(_ours(row, scale), detail=_ratio(row))]
+            cells += [_printed_cell(row, scale), replace(_ours(row, scale), detail=_ratio(row))]
         label = _label(first, prefix + first.unit)
         lines.append([label.removeprefix(WORDS.text["implied"]) if prefix else label, *cells])
     return lines
@@ -228,7 +230,7 @@ def _ratio(row: Row | None) -> str:
 
 
 def _wrong(results: FlightResults, steps: Sequence[Row], circles: Sequence[Row]) -> Content:
-    names = _named(steps, NAMES)
+    names = _contradictions(steps, NAMES)
     count = sum(row.mark is Mark.CONTRADICTED for row in circles)
     content: dict[str, Any] = {
         "steps": names, "count": count, "all": len(circles), "right": not names and not count,

@@ -29,6 +29,7 @@ from springback.interfaces.reproduction.choices import choices_content, conditio
 from springback.interfaces.reproduction.figures import resilience
 from springback.interfaces.reproduction.figures.choices import ORDER, signed_angle
 from springback.interfaces.reproduction.figures.resilience import POSES, SEEN
+from springback.intervals import CONFIDENCE, wilson
 from springback.paper.choices import EKF2, choices_data
 from springback.paper.choices import ConditionOutcome as Chosen
 from springback.paper.printed import RECOVERY_PITCH, SUCCESS, SUCCESS_WORDS
@@ -43,11 +44,10 @@ from springback.paper.resilience import (
     motion,
     rate_mark,
 )
-from springback.recovery.parameters import Settling
+from springback.recovery.parameters import SettlingSettings
 from springback.results.recovery_measures import RECOVERY_MEASURES
 from springback.simulation.measures import Outcome
 from springback.studies.comparison import Mark, Row
-from springback.studies.proportions import CONFIDENCE, wilson
 from springback.studies.trials import Tally, Trial
 from springback.vehicle.library import VEHICLES
 
@@ -147,7 +147,7 @@ def _row(rows: Sequence[Row], quantity: str) -> TableCell:
 
 
 def _answer(results: ResilienceResults) -> Content:
-    tallies, settled = results.tallies(), Settling()
+    tallies, settled = results.tallies(), SettlingSettings()
     gentle = [pitch for (_, pitch, _), word in SUCCESS_WORDS.items() if word == "fairly good"]
     ways = Counter(trial.outcome.value for trial in results.flown if not trial.success)
     return {

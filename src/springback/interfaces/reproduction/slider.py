@@ -67,15 +67,15 @@ def _ours(row: Row | None) -> TableCell:
     return TableCell(decimal(number, quantity.decimals), row.ours, percent(row.deviation), row.mark)
 
 
-def _printed(row: Row, value: float | None) -> TableCell:
+def _printed_cell(row: Row, value: float | None) -> TableCell:
     return TableCell(
         plain(None if value is None else value * QUANTITIES[row.quantity].scale), value
     )
 
 
-def _tested(row: Row) -> TableCell:
+def _test_cell(row: Row) -> TableCell:
     """Number of the physical test, with its deviation from the paper's own simulation."""
-    cell = _printed(row, row.printed_test)
+    cell = _printed_cell(row, row.printed_test)
     if row.scatter is None:
         return cell
     return TableCell(cell.text, cell.value, WORDS.say("scatter", share=percent(row.scatter)))
@@ -177,7 +177,7 @@ def _answer(results: SliderResults, runs: Runs) -> Content:
 
 def _quad_number(number: str, run: Run) -> str:
     row = run[PRINTED[number][0]]
-    printed, unit = _printed(row, row.printed), QUANTITIES[row.quantity].unit
+    printed, unit = _printed_cell(row, row.printed), QUANTITIES[row.quantity].unit
     return WORDS.say(
         "quad_number", name=number, row=row, ours=_ours(row), printed=printed, unit=unit
     )
@@ -197,7 +197,7 @@ def _table_iii(results: SliderResults, runs: Runs) -> Content:
             quantity = QUANTITIES[key]
             label = f"{quantity.name} [{quantity.unit}]" if quantity.unit else quantity.name
             ours = (_ours(run.get(key)) for run in chosen.values())
-            rows.append((label, _printed(row, row.printed), *ours, _tested(row)))
+            rows.append((label, _printed_cell(row, row.printed), *ours, _test_cell(row)))
         title = WORDS.say(caption, robot=ROBOTS[robot].label, surface=surface)
         return [table(title, ["", "printed, simulation", *names.values(), "printed, test"], rows)]
 

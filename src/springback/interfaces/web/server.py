@@ -99,7 +99,7 @@ def guard_requests(app: App, host: str = LOOPBACK) -> App:
             await send(message)
 
         if not is_welcome(named.get("host", b"").decode("latin-1"), host):
-            await _refused(sending)
+            await _refuse(sending)
             return
         await app(scope, receive, sending)
 
@@ -110,7 +110,7 @@ def _raw(headers: Iterable[tuple[str, str]]) -> list[tuple[bytes, bytes]]:
     return [(name.encode("latin-1"), value.encode("latin-1")) for name, value in headers]
 
 
-async def _refused(send: Send) -> None:
+async def _refuse(send: Send) -> None:
     text = b"This server does not answer to that name; open it as it says in the terminal.\n"
     headers = _raw({"content-type": "text/plain; charset=utf-8",
                     "content-length": str(len(text))}.items())  # fmt: skip

@@ -48,7 +48,7 @@ from springback.sensing.measurement import Pose
 
 
 @kernel
-def _weighted(stored: StoredPose, weight: float) -> StoredPose:
+def _scale(stored: StoredPose, weight: float) -> StoredPose:
     """A saved pose times a weight."""
     q = stored.attitude
     return StoredPose(
@@ -59,7 +59,7 @@ def _weighted(stored: StoredPose, weight: float) -> StoredPose:
 @kernel
 def _share(stored: StoredPose, delay: float, lag: float, interval: float) -> StoredPose:
     """A saved pose times its weight in linear interpolation at a lag."""
-    return _weighted(stored, positive_part(1.0 - abs(lag - delay) / interval))
+    return _scale(stored, positive_part(1.0 - abs(lag - delay) / interval))
 
 
 @kernel
@@ -79,13 +79,13 @@ def _stored_pose_at(kalman: Kalman, track: Track, since: float, lag: float) -> S
     pose = tree_sum(stored)
     if lag < since:
         n, share = track.nominal, lag / since
-        now = _weighted(StoredPose(n.position, n.attitude), 1.0 - share)
-        pose = tree_sum((now, _weighted(track.stored[0], share)))
+        now = _scale(StoredPose(n.position, n.attitude), 1.0 - share)
+        pose = tree_sum((now, _scale(track.stored[0], share)))
     return StoredPose(pose.position, normalise(pose.attitude))
 
 
 @kernel
-def _injected(n: Nominal, seen: Column, weighed: Vec) -> Nominal:
+def _inject(n: Nominal, seen: Column, weighed: Vec) -> Nominal:
     """Add the correction δx = K z to the estimate (section 6.2)."""
     d = correction(seen, weighed)
     return Nominal(
@@ -111,7 +111,7 @@ def _shift(
     return StoredPose(stored.position + shift, quaternion_product(turn, stored.attitude))
 
 
-class _Corrected(NamedTuple):
+class _Correction(NamedTuple):
     """A filter after a correction."""
 
     nominal: Nominal
@@ -122,7 +122,7 @@ class _Corrected(NamedTuple):
 @kernel
 def _with_position(
     kalman: Kalman, pose: Pose, lag: float, then: StoredPose, n: Nominal, c: Covariance
-) -> _Corrected:
+) -> _Correction:
     """Correct by the position of the main body some time ago.
 
     z = p_m − (p_s − R r) at that time, and its error is δp − t δv + R [r]× δθ there.
@@ -140,7 +140,7 @@ def _with_position(
 @kernel
 def _with_attitude(
     kalman: Kalman, pose: Pose, lag: float, then: StoredPose, n: Nominal, c: Covariance
-) -> _Corrected:
+) -> _Correction:
     """Correct by the attitude some time ago.
 
     z = log(q⁻¹ ⊗ q_m) at that time, rotated to the present body axes; its error is δθ + t δw.
@@ -153,11 +153,11 @@ def _with_attitude(
 
 
 @kernel
-def _correct(n: Nominal, c: Covariance, seen: Column, s: Mat3, z: Vec) -> _Corrected:
+def _correct(n: Nominal, c: Covariance, seen: Column, s: Mat3, z: Vec) -> _Correction:
     """Correct by an innovation z with covariance S, given P Hᵀ (section 6.1)."""
     inverse = inverse_symmetric(s)
     weighed = inverse @ z
-    return _Corrected(_injected(n, seen, weighed), correct(c, seen, inverse), z @ weighed)
+    return _Correction(_inject(n, seen, weighed), correct(c, seen, inverse), z @ weighed)
 
 
 @kernel

@@ -119,7 +119,7 @@ def _across(p: Mat3, v: Mat3, t: Mat3, a: Mat3, w: Mat3) -> Column:
 
 
 @kernel
-def _moved(f: Transition, c: Column) -> Column:
+def _advance(f: Transition, c: Column) -> Column:
     """Product of F and a column."""
     return Column(
         c.p + f.duration * c.v,
@@ -136,10 +136,10 @@ def propagate(c: Covariance, f: Transition, noise: Noise) -> Covariance:
     p, v, t = with_position(c), with_velocity(c), with_rotation(c)
     a = Column(c.pa, c.va, c.ta, c.aa, transpose(c.aw))
     w = with_gyroscope_bias(c)
-    p, v, t, a, w = _moved(f, p), _moved(f, v), _moved(f, t), _moved(f, a), _moved(f, w)
-    along_p = _moved(f, _across(p.p, v.p, t.p, a.p, w.p))
-    along_v = _moved(f, _across(p.v, v.v, t.v, a.v, w.v))
-    along_t = _moved(f, _across(p.t, v.t, t.t, a.t, w.t))
+    p, v, t, a, w = _advance(f, p), _advance(f, v), _advance(f, t), _advance(f, a), _advance(f, w)
+    along_p = _advance(f, _across(p.p, v.p, t.p, a.p, w.p))
+    along_v = _advance(f, _across(p.v, v.v, t.v, a.v, w.v))
+    along_t = _advance(f, _across(p.t, v.t, t.t, a.t, w.t))
     return Covariance(
         pp=symmetric_part(along_p.p),
         pv=transpose(along_p.v),

@@ -58,13 +58,13 @@ AT_RANGE = 0.9
 def _kalman(kalman: Kalman, tick: float, seen: Measurement, memory: KalmanMemory) -> EstimatorStep:
     track = memory.track
     if seen.inertial.fresh > 0.5:
-        track = _followed(kalman, tick, seen.inertial, track)
+        track = _integrate(kalman, tick, seen.inertial, track)
     else:
         track = _wait(kalman, track)
     after = KalmanMemory(track, Rarely(0.0, memory.known.tree))
     posed = seen.pose.fresh > 0.5
     if posed or track.window.duration > (kalman.every - 0.5) * kalman.interval:
-        after = _predicted(kalman, after)
+        after = _predict(kalman, after)
         if posed:
             after = with_pose(kalman, tick, seen.pose, after.track, after.known.tree.covariance)
     return EstimatorStep(_estimate(kalman, after.track), after)
@@ -137,7 +137,7 @@ def _stored_poses(
 
 
 @kernel
-def _followed(kalman: Kalman, tick: float, inertial: Inertial, track: Track) -> Track:
+def _integrate(kalman: Kalman, tick: float, inertial: Inertial, track: Track) -> Track:
     """Track after an inertial sample (section 5.4.1), with the force rotated at its midpoint.
 
     A sample is the mean over the interval that ends with it.
@@ -204,7 +204,7 @@ def _noise(kalman: Kalman, window: Window) -> Noise:
 
 
 @kernel
-def _predicted(kalman: Kalman, m: KalmanMemory) -> KalmanMemory:
+def _predict(kalman: Kalman, m: KalmanMemory) -> KalmanMemory:
     """Memory with the covariance propagated to the last sample, and a new window."""
     track, known = m.track, m.known.tree
     transition = _transition(track.window, track.nominal.attitude)

@@ -43,7 +43,7 @@ def choices_figure(results: ChoiceResults) -> Figure:
         words = [["" if c is None else f"{100 * c.share:.0f}" for c in row] for row in cells]
         printed = [SUCCESS.get((robot, *test), np.nan) for test in ORDER]
         chart = Chart(ax, TESTS, "choices", ROBOTS[robot].label)
-        words.insert(0, [_printed(robot, test) for test in ORDER])
+        words.insert(0, [_printed_text(robot, test) for test in ORDER])
         chart.heat_map("Recovered [%]", [printed, *shares], words, labels, tests)
         ax.axhline(0.5, color=INK, lw=1.0)
         ax.set_title(f"{chart.panel}: recovered [%]", size=9)
@@ -51,7 +51,7 @@ def choices_figure(results: ChoiceResults) -> Figure:
     return figure
 
 
-def _printed(robot: str, test: tuple[float, float]) -> str:
+def _printed_text(robot: str, test: tuple[float, float]) -> str:
     """Printed result of a test, short enough for a cell."""
     if (robot, *test) in SUCCESS:
         return f"{100 * SUCCESS[robot, *test]:g}"

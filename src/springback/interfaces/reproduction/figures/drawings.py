@@ -48,7 +48,7 @@ def robots_figure() -> Figure:
         for j, (arm, tip) in enumerate(zip(arms, ends(arms, now), strict=True), start=1):
             ax.text(*(1.32 * tip[:2]), f"{j}", ha="center", va="center", weight="bold")
             if j == 1:
-                _measured(ax, tip, arm)
+                _annotate_lengths(ax, tip, arm)
         for axis, (x, y) in {"x": (0.30, 0.0), "y": (0.0, 0.30)}.items():
             ax.annotate("", (x, y), (0.0, 0.0), arrowprops={"arrowstyle": "->", "color": INK})
             ax.text(1.06 * x, 1.06 * y, axis, ha="center", va="center")
@@ -58,7 +58,7 @@ def robots_figure() -> Figure:
     return figure
 
 
-def _measured(ax: Axes, tip: Any, arm: ArmShape) -> None:
+def _annotate_lengths(ax: Axes, tip: Any, arm: ArmShape) -> None:
     """Annotate arm length and cage radius at the first arm."""
     ax.text(
         0.5, 0.02, f"arms {1e3 * arm.length:.0f} mm, cages {1e3 * arm.cage_radius:.0f} mm",

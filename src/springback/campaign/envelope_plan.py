@@ -1,4 +1,4 @@
-"""The resilience envelope: how often a robot recovers, over two parameters of its trials.
+"""Plan, cost and flights of a resilience envelope: how often a robot recovers, over two parameters.
 
 It is a campaign: a grid over two fields, whose repeats are trials with the scatter of
 `springback.studies.trials.Scatter`, the same for all robots.  A cell is a pair of values.  A cell

@@ -5,9 +5,9 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.contact.cage import BodyMotion, CageContact
-from springback.contact.friction_rate import InverseInertia
-from springback.contact.hull import hull_contact
+from springback.contact.hull_contact import hull_contact
 from springback.contact.obstacles import Obstacle
+from springback.contact.step_bounds import InverseInertia
 from springback.dynamics.crossing import Crossing, soonest
 from springback.dynamics.touches import (
     BodyAcceleration,
@@ -15,11 +15,11 @@ from springback.dynamics.touches import (
     Slip,
     contact_of,
     crossing_of,
+    is_in_contact,
     slip_of,
     slip_rate,
     strikes,
     touched_normal,
-    touching,
 )
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import field_of, maximum, minimum, tree_map, tree_sum
@@ -67,7 +67,7 @@ def hull_state(
     """
     met = tree_map(hull_contact, (obstacles, engaged), (hull, body))
     touch, gap = tree_sum(field_of(met, "touch")), minimum(field_of(met, "gap"))
-    engaged_now = tree_map(touching, (met,), ())
+    engaged_now = tree_map(is_in_contact, (met,), ())
     view = HullView(
         gap=gap,
         depth=positive_part(-gap),

@@ -111,7 +111,7 @@ class Stiffness(NamedTuple):
 
 
 @kernel
-def contact_rate(
+def contact_rate_bound(
     press: ContactStiffness,
     slides: tuple[Stiffness, ...],
     inverse_mass: float,
@@ -133,7 +133,7 @@ def contact_rate(
     return math.sqrt(spring) + damper
 
 
-class ArmFrictionDamping(NamedTuple):
+class ArmFrictionRate(NamedTuple):
     """Rate at which friction brings an arm to rest along its slide [1/s]."""
 
     whole: float
@@ -141,7 +141,7 @@ class ArmFrictionDamping(NamedTuple):
 
 
 @kernel
-def _tumbling(grip: FrictionDamping, j: Mat3, per: float) -> float:
+def _tilt_rate_bound(grip: FrictionDamping, j: Mat3, per: float) -> float:
     """Larger eigenvalue of J⁻¹ K for rotation about x and y [1/s]."""
     x, y, both = grip.about_x, grip.about_y, grip.about_both
     half = 0.5 * per * (j.y.y * x + j.x.x * y + 2.0 * j.x.y * both)
@@ -162,7 +162,7 @@ def friction_rate_bound(
 
     Args:
         grip: Sum over all contacts.
-        whole: For every arm, see `ArmFrictionDamping`.
+        whole: For every arm, see `ArmFrictionRate`.
         lean: Likewise.
         inverse_mass: 1/m [1/kg].
         inertia: J about the main body, body axes [kg m²].
@@ -171,6 +171,6 @@ def friction_rate_bound(
     per_mass, per_turn = inverse_mass, inverse.about_z
     in_plane = grip.damper * per_mass + grip.about_z * per_turn + maximum(whole)
     lean_part = grip.lean * per_mass + grip.lean_about_z * per_turn + maximum(lean)
-    across = (grip.damper - grip.lean) * per_mass + _tumbling(grip, inertia, inverse.across)
+    across = (grip.damper - grip.lean) * per_mass + _tilt_rate_bound(grip, inertia, inverse.across)
     half = 0.5 * (in_plane - across)
     return 0.5 * (in_plane + across) + math.sqrt(half * half + lean_part * across)

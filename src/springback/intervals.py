@@ -15,9 +15,11 @@ import numpy.typing as npt
 import scipy  # submodules are loaded on first use
 
 from springback.errors import InputError
-from springback.studies.proportions import CONFIDENCE, wilson
 
 Values = npt.NDArray[np.float64]
+
+CONFIDENCE = 0.95
+"""Confidence level of all intervals."""
 
 
 class IntervalEstimate(NamedTuple):
@@ -28,8 +30,15 @@ class IntervalEstimate(NamedTuple):
     high: float | None
 
 
+def wilson(successes: int, trials: int) -> tuple[float, float]:
+    """Wilson's interval of a share, at `CONFIDENCE` (Wilson 1927)."""
+    test = scipy.stats.binomtest(successes, trials)
+    interval = test.proportion_ci(confidence_level=CONFIDENCE, method="wilson")
+    return float(interval.low), float(interval.high)
+
+
 def share(successes: int, flights: int) -> IntervalEstimate:
-    """Share of successes, with its Wilson interval (1927).
+    """Share of successes, with its Wilson interval.
 
     Raises:
         InputError: If it is not from 0 to 1, as in a folder that was tampered with.

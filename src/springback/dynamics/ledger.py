@@ -1,0 +1,49 @@
+"""The energy ledger at the end of a flight: its balance, and the test that it closes.
+
+Its history is in `springback.results.energy_history`.
+"""
+
+from __future__ import annotations
+
+from functools import reduce
+from typing import Any, NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+Array = npt.NDArray[Any]
+
+#: A ledger closes if its residual is at most this share of the largest energy ...
+TOLERANCE = 1e-4
+#: ... or less than this, the rounding of heights and speeds of a vehicle at rest [J].
+ROUNDING = 1e-9
+
+
+class LedgerBalance(NamedTuple):
+    """Balance of the energy ledgers of many flights, shape (flights,) each."""
+
+    start: Array  # mechanical energy at the start, gravity above the start [J]
+    end: Array  # the same at the end [J]
+    residual: Array  # unaccounted energy, as a share of the largest energy
+    closes: Array  # True if that is within `TOLERANCE`, or `ROUNDING`
+
+
+def ledger_balance(work: Any, before: Any, after: Any) -> LedgerBalance:
+    """Balance of energy and work: end − start − work of the rotors + losses, ideally zero.
+
+    Args:
+        work: `springback.dynamics.motion.Work` since the start, whose leaves are columns.
+        before: `springback.dynamics.energy.Energy` at the start, likewise.
+        after: `springback.dynamics.energy.Energy` at the end, likewise.
+    """
+    w, ground = work, before.gravity
+    start, end = before.total - ground, after.total - ground
+    losses = w.arm + w.stop + w.contact + w.friction + w.settling + w.air
+    fallen = np.abs(after.gravity - ground)
+    energies = before.kinetic, after.kinetic, losses, np.abs(w.thrust), np.abs(w.air), fallen
+    scale = reduce(np.maximum, energies)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        left_over = end - start - w.thrust + losses
+        residual = np.where(scale > 0.0, left_over / scale, 0.0)
+        closes = (np.abs(residual) <= TOLERANCE) | (np.abs(left_over) <= ROUNDING)
+    return LedgerBalance(start, end, residual, closes)
