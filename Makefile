@@ -53,8 +53,8 @@ fuzz:
 
 docs:
 	@tools/environment docs
-	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build
-	@echo "open docs/_build/index.html"
+	$(BIN)/python -m sphinx -W --keep-going -q -b html docs docs/_build/html
+	@echo "open docs/_build/html/index.html"
 
 bench:
 	@tools/environment dev
@@ -76,4 +76,4 @@ web:
 	cd web && npm ci --ignore-scripts --no-audit --no-fund && node build.mjs
 
 clean:
-	rm -rf .venv $(OUT) docs/_build
+	rm -rf .venv $(OUT) docs/_build docs/api/modules/generated

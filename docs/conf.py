@@ -1,5 +1,6 @@
 """Sphinx configuration; `make docs` builds the pages."""
 
+import os
 import sys
 from pathlib import Path
 
@@ -14,8 +15,9 @@ project_copyright = f"2026, {author}"
 version = release = springback.__version__
 
 extensions = [
-    "myst_parser",
+    "myst_nb",
     "sphinx.ext.autodoc",
+    "sphinx.ext.autosummary",  # a page for each module
     "sphinx.ext.napoleon",
     "mathml",  # these and the next are in docs/extensions
     "docstrings",
@@ -26,13 +28,25 @@ extensions = [
     "measure_tables",
     "commands",
 ]
-exclude_patterns = ["_build", "extensions", "figures"]
-source_suffix = {".md": "markdown"}
+exclude_patterns = ["_build", "_templates", "extensions", "figures"]
+source_suffix = {".rst": "restructuredtext", ".md": "myst-nb"}
+templates_path = ["_templates"]
+MODULES = ROOT / "docs" / "api" / "modules"
+autosummary_generate = [f"api/modules/{page.name}" for page in MODULES.glob("*.md")]
 default_role = "py:obj"
 
 myst_enable_extensions = ["dollarmath", "deflist", "colon_fence", "substitution", "attrs_inline"]
 myst_heading_anchors = 3
 myst_dmath_double_inline = False
+nb_execution_mode = "force"
+nb_execution_in_temp = True  # notebooks find nothing but what they write
+nb_execution_raise_on_error = True
+nb_execution_timeout = 600  # with kernels to be compiled [s]
+nb_execution_show_tb = True
+nb_output_stderr = "remove"  # bars of progress
+nb_merge_streams = True
+nb_render_image_options = {"width": "520px"}
+os.environ["JUPYTER_PATH"] = str(ROOT / "docs" / "extensions" / "jupyter")  # its kernel is silent
 suppress_warnings = ["myst.xref_missing_text"]
 
 highlight_language = "none"

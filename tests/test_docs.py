@@ -139,6 +139,43 @@ def test_pages_are_ready_for_readers(built: dict[str, Page]) -> None:
     assert sum(page.formulas for page in built.values()) > 200
 
 
+def test_notebooks_are_shown_with_their_output(built: dict[str, Page]) -> None:
+    """They ran, or building would have failed; every cell that ends in a value or prints shows it."""
+    notebooks = sorted((DOCS / "notebooks").glob("*.md"))
+    assert len(notebooks) == 3
+    for path in notebooks:
+        page = built[f"notebooks/{path.stem}.html"]
+        html = page.path.read_text(encoding="utf-8")
+        cells = path.read_text(encoding="utf-8").count("```{code-cell}")
+        assert html.count('class="cell_output') == cells > 4, path.name
+        assert html.count("<img") >= 2, path.name
+        downloads = [link for link in page.links if link.endswith(".ipynb")]
+        assert [Path(link).name for link in downloads] == [f"{path.stem}.ipynb"]
+        assert '"outputs": [' in (page.path.parent / downloads[0]).read_text(encoding="utf-8")
+
+
+def test_objects_are_two_clicks_from_the_first_page(built: dict[str, Page]) -> None:
+    """Each with the members of its class; the page of a room is a table, not a wall."""
+    linked = {Path(urlsplit(link).path).name for link in built["api/index.html"].links}
+    assert "api/index.html" in built["index.html"].links
+    for name, cls in {
+        "flight": springback.Flight, "campaign": springback.Campaign, "vehicle": springback.Vehicle,
+        "scenario": springback.Scenario, "plan": springback.Plan,
+    }.items():  # fmt: skip
+        assert f"{name}.html" in linked
+        path = f"springback.{springback._PUBLIC[cls.__name__]}.{cls.__name__}"
+        assert path in built[f"api/{name}.html"].ids
+    members = {"plot", "save", "view", "animate", "resample", "columns", "outcome", "to_xarray"}
+    flight = {
+        id.removeprefix("springback.results.flight.Flight.") for id in built["api/flight.html"].ids
+    }
+    assert members <= flight
+    assert not {"touch_speed", "peak_acceleration"} & flight  # a table has them
+    sizes = [len("".join(page.text)) for name, page in built.items() if "/modules/" in name]
+    assert len(sizes) > 150
+    assert sorted(sizes)[-1] < 60_000
+
+
 def test_every_public_name_has_its_entry(built: dict[str, Page]) -> None:
     ids = set().union(*(page.ids for page in built.values()))
     for name, chapter in nonempty(springback._PUBLIC.items()):

@@ -1,6 +1,7 @@
 // A button on each block of code that copies it; prompts and outputs are not in these blocks.
 document.addEventListener("DOMContentLoaded", () => {
   for (const block of document.querySelectorAll("div.highlight > pre")) {
+    if (block.closest(".cell_output")) continue;
     const button = document.createElement("button");
     button.type = "button";
     button.className = "copy";

@@ -75,3 +75,30 @@ def test_a_wrong_kind_of_success_is_one_line(tmp_path: Path) -> None:
             read_plan(path)
     with pytest.raises(InputError, match="give a list: success"):
         check_conditions(lay_out(plan(success="arm_stroke < 20 mm")))
+
+
+def test_what_is_kept_is_named_in_the_same_words(tmp_path: Path) -> None:
+    keep = {"where": ["not success", "surface = wall or touch_speed >= 720 m/h"]}
+    filled(tmp_path, success=["not hit_ground"], keep=keep, samples=40, parts=2, size=40)
+    known = Campaign(tmp_path)
+    check_conditions(known.design)
+    rows = known.query("FROM flights ORDER BY flight").as_dicts()
+    kept = known.query(f"SELECT flight FROM flights WHERE {known.design.kept}").rows
+    assert [number for (number,) in kept] == [
+        row["flight"] for row in rows
+        if row["outcome"] == "hit_ground" and (row["surface"] == "wall" or row["touch_speed"] >= 0.2)
+    ]  # fmt: skip
+    assert 0 < len(kept) < len(rows)
+
+
+@pytest.mark.parametrize(
+    ("where", "why"),
+    [
+        (["success", "arm_strok < 20 mm"], r"^keep.where\[1\]: .*did you mean arm_stroke\?"),
+        ("arm_stroke < 20 mm", "^keep.where: .*give a list: where"),
+        ([], "keep.where: must be a list of at least one text"),
+    ],
+)
+def test_a_wrong_condition_of_what_is_kept_is_one_line(where: object, why: str) -> None:
+    with pytest.raises((InputError, ValueError), match=why):
+        check_conditions(lay_out(plan(keep={"where": where})))

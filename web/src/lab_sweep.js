@@ -157,7 +157,7 @@ export function createLabSweep(element, { choices, table, page, isShown, onPick,
     const colours = palette();
     const axis = { stroke: colours.faint, grid: { stroke: colours.line, width: 0.6 }, ticks: { show: false }, font: "11px system-ui, sans-serif" };
     const unit = control.unit ? ` [${control.unit.replace("^1.5", "¹·⁵")}]` : "";
-    const x = { ...axis, size: 20, gap: 2, label: `${control.label}${unit}`, labelSize: 15, labelFont: axis.font, labelGap: 0 };
+    const x = { ...axis, size: 24, gap: 6, label: `${control.label}${unit}`, labelSize: 15, labelFont: axis.font, labelGap: 0 };
     if (control.logarithmic) Object.assign(x, { splits: (_, i, from, to) => decades(from, to), values: (_, splits) => splits.map(String), filter: (_, splits) => splits });
     plot = new uPlot({
       width: Math.max(canvas.clientWidth, 200), height: HEIGHT, padding: [8, 12, 0, 0], legend: { show: false },

@@ -38,7 +38,8 @@ export function startReplay(element, data) {
   const scene = createScene(stage, { flights: data.flights, onCamera: (mode) => (cameras?.mark(mode), changed()), onDrawn: () => capture?.drawn() });
   const flights = scene.all;
   const many = flights.length > 1;
-  const title = [...new Set(flights.map((flight) => flight.scenario))].join(" and ");
+  const names = [...new Set(flights.map((flight) => flight.scenario))];
+  const title = names.length > 2 ? `${flights.length} flights` : names.join(" and ");
 
   function say(text) {
     remark.textContent = text;

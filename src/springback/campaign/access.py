@@ -50,8 +50,8 @@ T = TypeVar("T")
 Numbers = npt.NDArray[np.float64]
 KEPT = "kept"
 KEPT_NAME = re.compile(r"flight-(\d{10})\.json")
-#: Advice on a condition of success that is no SQL.
-WITH_UNITS = '; with units, give a list: success = ["arm_stroke < 20 mm"]'
+#: Advice on a condition that is no SQL.
+WITH_UNITS = '; with units, give a list: {} = ["arm_stroke < 20 mm"]'
 #: Rows of an answer that are read at a time (chosen).
 STRETCH = 1000
 
@@ -348,7 +348,7 @@ class Campaign:
         wanted = self.design.plan.keep
         if wanted is None:
             return
-        condition = one_expression(wanted.where)
+        condition = one_expression(self.design.kept)
         sql = f"SELECT flight FROM flights WHERE {condition} AND outcome <> 'refused' "
         for (number,) in self.query(f"{sql} ORDER BY flight LIMIT {wanted.most}").rows:
             stem = self.folder / KEPT / f"flight-{number:010d}"
@@ -417,18 +417,19 @@ def check_conditions(design: Design, source: Source | None = None) -> None:
     """
     problem_line = (source or Source()).problem_line
     keep = design.plan.keep
-    given = design.plan.success
-    for k, text in enumerate(given if isinstance(given, tuple) else ()):
-        try:
-            design.condition(text)
-        except InputError as error:
-            raise InputError(problem_line(("success", k), str(error))) from None
-    conditions = {"success": design.success, "keep.where": keep.where if keep else "true"}
+    given = {"success": design.plan.success, "keep.where": keep.where if keep else None}
+    for entry, texts in given.items():
+        for k, text in enumerate(texts if isinstance(texts, tuple) else ()):
+            try:
+                design.condition(text, judged=entry == "keep.where")
+            except InputError as error:
+                raise InputError(problem_line((*entry.split("."), k), str(error))) from None
+    conditions = {"success": design.success, "keep.where": design.kept}
     for entry, text in conditions.items():
         try:
             one_expression(text)
         except InputError as error:
-            more = WITH_UNITS if entry == "success" else ""
+            more = WITH_UNITS.format(entry.rpartition(".")[2])
             raise InputError(problem_line(entry.split("."), f"{error}{more}")) from None
     kept = one_expression(conditions["keep.where"])
     statements = {

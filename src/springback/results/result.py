@@ -55,7 +55,9 @@ class FlightResult(FlightMeasures):
     """Numbers of a flight.  Every measure is an attribute as well: ``flight.touch_speed``."""
 
     scenario: Scenario
+    """All input of the flight."""
     outcome: Outcome
+    """Reason for its end; ``outcome.word`` is the word in files and rows."""
     measures: dict[str, float | None]
     """Measures by name; units and meanings are in `springback.simulation.measures.MEASURES`."""
     columns: dict[str, Array]

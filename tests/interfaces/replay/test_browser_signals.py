@@ -20,19 +20,23 @@ from springback.results.flight import Flight, fly
 
 pytestmark = needs_browser
 EXAMPLES = Path(__file__).parents[3] / "examples"
-NAMES = ["recovery", "stiff", "slow"]
+NAMES = ["recovery", "stiff", "slow", "soft", "slower"]
 
 
 @pytest.fixture(scope="module")
 def flights() -> list[Flight]:
     recovery = fly(EXAMPLES / "collision.toml", "reference.speed=2 m/s", "simulation.duration=6 s")
-    changes = ("vehicle.arms.stiffness=20 N/mm", "start.velocity=[1.5, 0, 0]")
-    return [recovery, *(fly(TABLES, change) for change in changes)]
+    changes = (
+        "vehicle.arms.stiffness=20 N/mm", "start.velocity=[1.5, 0, 0]",
+        "vehicle.arms.stiffness=1 N/mm", "start.velocity=[1, 0, 0]",
+    )  # fmt: skip
+    own = zip(NAMES[1:], changes, strict=True)
+    return [recovery, *(fly(TABLES, f"name={name}", change) for name, change in own)]
 
 
 @pytest.fixture(scope="module")
 def page(flights: list[Flight], tmp_path_factory: pytest.TempPathFactory) -> Path:
-    path = tmp_path_factory.mktemp("pages") / "three.html"
+    path = tmp_path_factory.mktemp("pages") / "five.html"
     export_page(replay_of(flights, NAMES), path)
     return path
 
@@ -170,13 +174,15 @@ def test_values_under_the_cursor_and_zooms_that_can_be_undone(
     assert complaints(driver) == []
 
 
-def test_three_flights_have_names_and_can_be_hidden(clean: Any, flights: list[Flight]) -> None:
+def test_five_flights_have_names_and_can_be_hidden(clean: Any, flights: list[Flight]) -> None:
     """Side by side in order, all touching at one time; a hidden one leaves scene, plots, numbers."""
     driver = clean
     buttons = driver.find_elements("css selector", ".outcome .flight")
     assert [button.text.split("(")[-1].rstrip(")") for button in buttons] == NAMES
     colours = {button.value_of_css_property("border-left-color") for button in buttons}
     assert len(colours) == len(flights)
+    assert driver.find_element("css selector", "h1").text == driver.title.split(" – ")[0]
+    assert driver.title == "5 flights – springback"
     key(driver, "t")
     now = pose(driver)
     for flight, one in nonempty(zip(flights, now["flights"], strict=True)):
@@ -193,12 +199,14 @@ def test_three_flights_have_names_and_can_be_hidden(clean: Any, flights: list[Fl
     forces.click()
     assert "contact force" in legend.text
     buttons[1].click()
-    assert [b.get_attribute("aria-pressed") for b in buttons] == ["true", "false", "true"]
-    assert len(pose(driver)["flights"]) == 2
-    assert len(shown(driver)["Acceleration"]["values"]) == 2
+    assert [b.get_attribute("aria-pressed") for b in buttons] == [
+        "true", "false", "true", "true", "true",
+    ]  # fmt: skip
+    assert len(pose(driver)["flights"]) == 4
+    assert len(shown(driver)["Acceleration"]["values"]) == 4
     heads = driver.find_elements("css selector", ".numbers thead th[scope=col]")
-    assert [head.text for head in heads] == ["ARQ (recovery)", "ARQ (slow)"]
-    for k in (0, 2):
+    assert [head.text for head in heads] == [f"ARQ ({name})" for name in NAMES if name != "stiff"]
+    for k in (0, 2, 3, 4):
         buttons[k].click()
     assert len(pose(driver)["flights"]) == 1  # the last one stays
     assert complaints(driver) == []
@@ -222,7 +230,7 @@ def test_keys_choose_the_view_and_the_link_brings_it_back(clean: Any, page: Path
     opened(driver, page, fragment)
     now = pose(driver)
     assert (now["t"], now["camera"]) == (pytest.approx(1.234), "top")
-    assert (len(now["flights"]), len(now["estimates"])) == (2, 2)
+    assert (len(now["flights"]), len(now["estimates"])) == (4, 4)
     assert driver.execute_script("return window.springback.link.address()") == link
     odd = "plots=nothing;__proto__&layers=constructor&hide=y&zoom=0,Infinity&speed=x"
     driver.execute_script(f"location.hash = '#t=0.5&camera=impact&{odd}'")
@@ -239,7 +247,7 @@ def test_the_estimated_pose_is_that_of_the_telemetry(clean: Any, flights: list[F
     k = int(np.searchsorted(telemetry["t"], flights[0].touch_time)) + 5
     driver.execute_script("window.springback.player.seek(arguments[0])", telemetry["t"][k] + 1e-4)
     [estimate, *others] = pose(driver)["estimates"]
-    assert others == [None] * 2  # without a pilot there is none
+    assert others == [None] * 4  # without a pilot there is none
     wanted = [telemetry[f"est_{axis}"][k] for axis in "xyz"]
     assert estimate["position"] == pytest.approx(wanted, abs=2e-4)
     q = [telemetry[f"est_q{part}"][k] for part in "wxyz"]

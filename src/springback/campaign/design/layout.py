@@ -109,14 +109,14 @@ class Design:
             check_trusted(word, "scenario")
         return code_digests(words)
 
-    def condition(self, text: str) -> str:
-        """Condition in words as SQL.
+    def condition(self, text: str, *, judged: bool = False) -> str:
+        """Condition in words as SQL; see `condition_in_words`.
 
         Raises:
             InputError: If a name or a quantity is wrong.
         """
         fields = {one.column: None if one.text else one.unit for one in self.dimensions}
-        return condition_in_words(text, fields)
+        return condition_in_words(text, fields, judged=judged)
 
     @property
     def success(self) -> str:
@@ -131,6 +131,16 @@ class Design:
         judged = () if self.bases[0].get("pilot") is None else (Outcome.NOT_SETTLED,)
         failures = ", ".join(f"'{outcome.word}'" for outcome in (*FAILURES, *judged))
         return f"outcome NOT IN ({failures})"
+
+    @property
+    def kept(self) -> str:
+        """Condition in SQL of the flights whose trajectories are stored; none are without one."""
+        keep = self.plan.keep
+        if keep is None:
+            return "false"
+        if isinstance(keep.where, str):
+            return keep.where
+        return " AND ".join(f"({self.condition(text, judged=True)})" for text in keep.where)
 
     @property
     def rule(self) -> str:

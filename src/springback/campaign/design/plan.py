@@ -142,15 +142,6 @@ class ScatterSettings(Settings):
         return Scatter(**self.model_dump())
 
 
-class Keep(Settings):
-    """Selection of flights whose trajectories are stored."""
-
-    where: str
-    """Condition on the columns of a row, in SQL."""
-    most: Annotated[int, Field(ge=1, le=100_000, strict=True)] = 20
-    """Largest number of flights, the first that satisfy it."""
-
-
 def _conditions(value: Any) -> Any:
     """Condition in SQL, or conditions in words."""
     words = [*value] if isinstance(value, list | tuple) else None
@@ -159,6 +150,16 @@ def _conditions(value: Any) -> Any:
     if words is not None and not (words and all(isinstance(word, str) for word in words)):
         raise problem(f"must be a list of at least one text (got {shown_value(value)})")
     return value if words is None else tuple(words)
+
+
+class Keep(Settings):
+    """Selection of flights whose trajectories are stored."""
+
+    where: Annotated[str | tuple[str, ...], BeforeValidator(_conditions)]
+    """Condition on the columns of a row: a text is SQL; a list has conditions in words, as for
+    ``success``, which must all hold; ``success`` and ``not success`` are such words here."""
+    most: Annotated[int, Field(ge=1, le=100_000, strict=True)] = 20
+    """Largest number of flights, the first that satisfy it."""
 
 
 class Plan(Settings):

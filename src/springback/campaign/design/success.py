@@ -1,4 +1,4 @@
-"""Success in words of measures and limits: ``arm_stroke < 20 mm``, ``recovered``."""
+"""Conditions in words of measures and limits: ``arm_stroke < 20 mm``, ``recovered``."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _OUTCOME = re.compile(r"\s*(?P<no>not\s+)?(?P<word>[A-Za-z_]+)\s*")
 _RESULTS = {"success", "problem"}
 
 
-def condition_in_words(text: str, fields: Mapping[str, str | None]) -> str:
+def condition_in_words(text: str, fields: Mapping[str, str | None], *, judged: bool = False) -> str:
     """SQL of a condition in words.
 
     It is a comparison of a column with a quantity (``touch_speed < 2 m/s``), an outcome
@@ -30,21 +30,24 @@ def condition_in_words(text: str, fields: Mapping[str, str | None]) -> str:
     Args:
         text: The condition.
         fields: Unit of each varied field by column; None for fields of words.
+        judged: True if rows have their verdict, which ``success`` and ``not success`` then ask for.
 
     Raises:
         InputError: If a name is unknown, or a quantity cannot be read.
     """
-    return " OR ".join(_term(part, fields) for part in re.split(r"\s+or\s+", text))
+    return " OR ".join(_term(part, fields, judged) for part in re.split(r"\s+or\s+", text))
 
 
-def _term(text: str, fields: Mapping[str, str | None]) -> str:
-    """SQL of a comparison or an outcome."""
+def _term(text: str, fields: Mapping[str, str | None], judged: bool) -> str:
+    """SQL of a comparison, an outcome or the verdict."""
     columns: dict[str, str | None] = {name: unit for name, (unit, _) in known_columns().items()}
     columns |= {**dict.fromkeys(("robot", "outcome")), **fields}
     outcomes = [outcome.word for outcome in Outcome]
     found = _OUTCOME.fullmatch(text)
     if found is not None:
         word = found["word"]
+        if judged and word == "success":
+            return f"coalesce(success = {0 if found['no'] else 1}, false)"
         if word in columns:
             raise InputError(f"{excerpt(text)}: has no limit; write such as {word} < 1")
         if word not in outcomes:

@@ -71,7 +71,8 @@ def replay_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> 
         origins: Folder or file that each was read from, if any.
     """
     scenes = scenes_of(flights, origins)
-    names = " and ".join(dict.fromkeys(f"{scene.label}, {scene.scenario}" for scene in scenes))
+    named = list(dict.fromkeys(f"{scene.label}, {scene.scenario}" for scene in scenes))
+    names = " and ".join(named) if len(named) < 3 else f"{len(scenes)} flights"
     drawn = [plain(scene) | {"signals": plain_signals(flight, scene)}
              for scene, flight in zip(scenes, flights, strict=True)]  # fmt: skip
     return page_of(f"{names} – springback", "replay", {"flights": drawn})
