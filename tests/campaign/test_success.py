@@ -83,7 +83,7 @@ def test_what_is_kept_is_named_in_the_same_words(tmp_path: Path) -> None:
     known = Campaign(tmp_path)
     check_conditions(known.design)
     rows = known.query("FROM flights ORDER BY flight").as_dicts()
-    kept = known.query(f"SELECT flight FROM flights WHERE {known.design.kept}").rows
+    kept = known.query(f"SELECT flight FROM flights WHERE {known.design.keep_condition}").rows
     assert [number for (number,) in kept] == [
         row["flight"] for row in rows
         if row["outcome"] == "hit_ground" and (row["surface"] == "wall" or row["touch_speed"] >= 0.2)

@@ -5,7 +5,6 @@ Flights are some hundredths of a second in plain Python, the source that is comp
 
 from __future__ import annotations
 
-import itertools
 from pathlib import Path
 from typing import Any
 
@@ -231,10 +230,11 @@ def test_an_own_pilot_goes_with_an_own_obstacle(file: Path) -> None:
     obstacle = {"type": "own", "shape": f"{file}:wall", "parameters": {"x": 1.0}, "surface": "wall"}
     start = {"position": (0.755, 0.0, 1.0), "velocity": (0.4, 0.0, 0.0)}
     simulation = {"duration": 0.12, "impact_step": 5e-4}
-    for dwell, speed, outcome in itertools.chain(
-        [(0.02, 0.5, Outcome.RECOVERED), (0.02, 0.01, Outcome.NOT_SETTLED)],
-        [(0.3, 0.5, Outcome.NOT_SETTLED)],
-    ):
+    for dwell, speed, outcome in nonempty([
+        (0.02, 0.5, Outcome.RECOVERED),
+        (0.02, 0.01, Outcome.NOT_SETTLED),
+        (0.3, 0.5, Outcome.NOT_SETTLED),
+    ]):  # fmt: skip
         settling = {"dwell": dwell, "speed": speed}
         given = {
             "vehicle": "quad", "pilot": f"{file}:hover", "world": {"obstacles": [obstacle]},

@@ -348,7 +348,7 @@ class Campaign:
         wanted = self.design.plan.keep
         if wanted is None:
             return
-        condition = one_expression(self.design.kept)
+        condition = one_expression(self.design.keep_condition)
         sql = f"SELECT flight FROM flights WHERE {condition} AND outcome <> 'refused' "
         for (number,) in self.query(f"{sql} ORDER BY flight LIMIT {wanted.most}").rows:
             stem = self.folder / KEPT / f"flight-{number:010d}"
@@ -424,7 +424,7 @@ def check_conditions(design: Design, source: Source | None = None) -> None:
                 design.condition(text, judged=entry == "keep.where")
             except InputError as error:
                 raise InputError(problem_line((*entry.split("."), k), str(error))) from None
-    conditions = {"success": design.success, "keep.where": design.kept}
+    conditions = {"success": design.success, "keep.where": design.keep_condition}
     for entry, text in conditions.items():
         try:
             one_expression(text)

@@ -133,7 +133,7 @@ class Design:
         return f"outcome NOT IN ({failures})"
 
     @property
-    def kept(self) -> str:
+    def keep_condition(self) -> str:
         """Condition in SQL of the flights whose trajectories are stored; none are without one."""
         keep = self.plan.keep
         if keep is None:
