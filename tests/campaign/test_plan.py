@@ -250,7 +250,7 @@ def test_success_means_the_same_of_a_flight_and_of_its_row(recovery: bool) -> No
     pilot = {"reference": {"type": "hold"}, "recovery": {}} if recovery else {}
     tables = {key: value for key, value in THROW.items() if not (recovery and key == "thrust")}
     rule = lay_out(plan(scenario=tables | pilot)).success
-    scenario = scenario_from({"vehicle": "arq"})
+    scenario = scenario_from(tables | pilot)
     measures: dict[str, float | None] = {"runs": 1.0} if recovery else {}
     found = {}
     for outcome in Outcome:

@@ -14,8 +14,8 @@ from builders.impacts import towards_wall
 from springback.errors import InputError
 from springback.interfaces.figures.flight import flight_figure
 from springback.results.flight import Flight
-from springback.scenario.avionics import scenario_warnings
 from springback.scenario.scenario import scenario_from
+from springback.scenario.warnings import scenario_warnings
 
 PERFECT = {name: {"perfect": True} for name in ("imu", "motion_capture", "hall")}
 

@@ -128,8 +128,8 @@ class Design:
             return given
         if self.bases[0].get("recovery") is not None:
             return "outcome = 'recovered'"
-        judged = () if self.bases[0].get("pilot") is None else (Outcome.NOT_SETTLED,)
-        failures = ", ".join(f"'{outcome.word}'" for outcome in (*FAILURES, *judged))
+        judged = (*FAILURES, Outcome.NOT_SETTLED)
+        failures = ", ".join(f"'{outcome.word}'" for outcome in judged)
         return f"outcome NOT IN ({failures})"
 
     @property
