@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 
 from springback.contact.cage import Ring
-from springback.scenario.model import RING_ROUNDING, flight_model, start_state
+from springback.scenario.model import RING_ROUNDING, flight_model
 from springback.scenario.scenario import scenario_from
 from springback.simulation.flight import FlightRecord, fly_one
 
@@ -32,7 +32,7 @@ def flat_hit(tilt: float, rounding: float) -> FlightRecord:
     }
     scenario = scenario_from(tables)
     model = flight_model(scenario)._replace(contact_point=Ring(rounding))
-    return fly_one(model, start_state(scenario.start, scenario.vehicle), trace=False)
+    return fly_one(model, scenario.start_state(), trace=False)
 
 
 def told() -> list[list[float]]:

@@ -11,7 +11,7 @@ from springback.dynamics.crossing import Crossing
 from springback.dynamics.motion import Engaged, Motion
 from springback.kernels.trees import field_of
 from springback.kernels.vectors import Quat, Vec
-from springback.scenario.model import flight_model, start_state
+from springback.scenario.model import flight_model
 from springback.scenario.scenario import scenario_from
 from springback.simulation import record as rules
 from springback.simulation.executor import rates_of
@@ -45,7 +45,7 @@ def scene() -> tuple[Model, Motion, View, Record]:
         }
     )
     model = flight_model(scenario)
-    motion = Motion(start_state(scenario.start, scenario.vehicle), still_work())
+    motion = Motion(scenario.start_state(), still_work())
     view = rates_of(model, motion.state, FREE_FLIGHT).seen
     return model, motion, view, blank_record(4, 1, 1)
 
@@ -346,7 +346,7 @@ def test_a_view_sums_the_normals_of_what_touches() -> None:
         {"vehicle": "arq", "world": {"obstacles": [{"type": "ground", "surface": "mat"}]}}
     )
     model = flight_model(scenario)
-    state = start_state(scenario.start, scenario.vehicle)
+    state = scenario.start_state()
     on_its_belly = state._replace(position=Vec(0.0, 0.0, 0.0599))
     on_a_cage = state._replace(attitude=Quat(0.8, 0.0, 0.6, 0.0), position=Vec(0.0, 0.0, 0.1))
     for placed in (on_its_belly, on_a_cage):
