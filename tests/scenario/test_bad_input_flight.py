@@ -130,7 +130,7 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
     "perhaps": (GAIN, "feed_forward = 3", "control.feed_forward", ("true or false", "3")),
 
     "unknown estimator": (
-        TYPE, 'type = "particle"', "estimator.type", ("'kalman', 'complementary' or 'perfect'", "particle"),
+        TYPE, 'type = "particle"', "estimator.type", ("'kalman', 'complementary', 'perfect' or 'own'", "particle"),
     ),
     "negative inflation": (INFLATION, "inflation = -1", "estimator.kalman.inflation", ("at least 0", "-1")),
     "never predicting": (INFLATION, "every = 0", "estimator.kalman.every", ("greater than or equal to 1", "0")),

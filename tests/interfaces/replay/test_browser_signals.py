@@ -25,7 +25,12 @@ NAMES = ["recovery", "stiff", "slow", "soft", "slower"]
 
 @pytest.fixture(scope="module")
 def flights() -> list[Flight]:
-    recovery = fly(EXAMPLES / "collision.toml", "reference.speed=2 m/s", "simulation.duration=6 s")
+    recovery = fly(
+        EXAMPLES / "collision.toml",
+        "name=recovery",
+        "reference.speed=2 m/s",
+        "simulation.duration=6 s",
+    )
     changes = (
         "vehicle.arms.stiffness=20 N/mm", "start.velocity=[1.5, 0, 0]",
         "vehicle.arms.stiffness=1 N/mm", "start.velocity=[1, 0, 0]",
