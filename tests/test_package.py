@@ -99,7 +99,7 @@ def test_the_locked_files_say_the_same() -> None:
         for line in (ROOT / f"tools/locked/{extra}.txt").read_text().splitlines():
             name, sign, rest = line.partition("==")
             if sign and name[0].isalnum():
-                versions.setdefault(f"{name} {extra}", set()).add(rest.rstrip(" \\"))
+                versions.setdefault(f"{name} {extra}", set()).add(rest.partition(" ")[0])
     for key, found in nonempty(versions.items()):
         name, _, extra = key.partition(" ")
         assert found == versions.get(f"{name} dev", found) or extra == "docs"
