@@ -1,6 +1,7 @@
 """Euler angles against SciPy's rotations, and there and back."""
 
 import numpy as np
+import pytest
 from scipy.spatial.transform import Rotation
 
 from springback.frames import attitude_from_euler, euler_from_attitude
@@ -12,6 +13,15 @@ def test_euler_angles_are_scipys_intrinsic_zyx() -> None:
         theirs = Rotation.from_euler("ZYX", [yaw, pitch, roll]).as_quat(scalar_first=True)
         np.testing.assert_allclose(ours, theirs, rtol=0.0, atol=1e-15)
         np.testing.assert_allclose(euler_from_attitude(ours), [roll, pitch, yaw], atol=1e-12)
+
+
+@pytest.mark.filterwarnings("error")
+@pytest.mark.parametrize("pitch", [-0.5 * np.pi, 0.5 * np.pi])
+def test_the_nose_straight_down_or_up_is_no_trouble(pitch: float) -> None:
+    """Roll is then 0 and yaw turns for both; SciPy would warn of it."""
+    roll, found, _ = euler_from_attitude(attitude_from_euler(0.3, pitch, 0.5))
+    assert roll == 0.0
+    np.testing.assert_allclose(found, pitch, atol=1e-7)
 
 
 def test_positive_pitch_is_nose_down() -> None:

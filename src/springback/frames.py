@@ -27,9 +27,12 @@ def attitude_from_euler(roll: float, pitch: float, yaw: float) -> tuple[float, f
 
 
 def euler_from_attitude(attitude: Any) -> np.ndarray[Any, np.dtype[np.float64]]:
-    """Roll, pitch and yaw [rad] of quaternions (w, x, y, z), shape (..., 4) to (..., 3)."""
+    """Roll, pitch and yaw [rad] of quaternions (w, x, y, z), shape (..., 4) to (..., 3).
+
+    With the nose straight down or up only yaw and roll together are determined: roll is then 0.
+    """
     from scipy.spatial.transform import Rotation  # slow to import, and rarely needed
 
     flat = np.asarray(attitude, dtype=float).reshape(-1, 4)
-    angles = Rotation.from_quat(flat, scalar_first=True).as_euler("ZYX")
+    angles = Rotation.from_quat(flat, scalar_first=True).as_euler("ZYX", suppress_warnings=True)
     return np.asarray(angles[:, ::-1]).reshape(*np.shape(attitude)[:-1], 3)
