@@ -228,6 +228,17 @@ def test_a_grid_counts_its_points_and_draws_what_has_no_levels() -> None:
     assert len(set(factor.tolist())) == 30
 
 
+def test_robots_replace_a_vehicle_of_the_users_own() -> None:
+    """All of it; the changes to a preset are kept for each."""
+    own = scenario_from({"vehicle": "arq"}).vehicle.model_dump() | {"name": "mine"}
+    base = {**THROW, "vehicle": own}
+    design = lay_out(plan(scenario=base, robots=["arq", "quad"], samples=2))
+    assert [base["vehicle"]["preset"] for base in design.bases] == ["arq", "quad"]
+    changed = {**THROW, "vehicle": {"preset": "arq", "body": {"mass": 0.9}}}
+    design = lay_out(plan(scenario=changed, robots=["arq", "quad"], samples=2))
+    assert [base["vehicle"]["body"]["mass"] for base in design.bases] == [0.9, 0.9]
+
+
 def test_own_values_are_each_robots() -> None:
     vary = [{"field": "mass", "normal": {"deviation": "10 g"}}]
     design = lay_out(plan(vary=vary))

@@ -243,8 +243,12 @@ def test_a_vehicle_is_read_from_its_file(folder: Path) -> None:
         vehicle = read_scenario(path, ["vehicle.body.inertia=[1e-2, 1e-2, 1e-2]"]).vehicle
         assert (vehicle.name, vehicle.body.mass) == (word, 0.9)
         assert vehicle.body.inertia[0][0] == 0.01
+    (folder / "in_table.toml").write_text('preset = "heavy.toml"\n[arms]\ncompliant = false\n')
+    changed = read_scenario(folder / "flight.toml").vehicle
+    assert (changed.name, changed.body.mass, changed.arms.compliant) == ("in_table", 0.9, False)
     for text, said in (
-        ('preset = "heavy.toml"', "must not name a further file, heavy.toml"),
+        ('preset = "in_table.toml"', "must not name a file that names this one, in_table.toml"),
+        ('preset = "missing.toml"', "missing.toml"),
         ("vehicle = 3", r"vehicle: must be a table \(got 3\)"),
         ('preset = "nix"', "unknown vehicle preset 'nix'"),
         ("a = ", "Invalid value"),

@@ -179,6 +179,11 @@ def test_a_run_up_begins_where_the_vehicle_does_unless_it_has_a_start_of_its_own
     assert "reference.start is 1 m from start.position" in scenario_warnings(own)[0]
 
 
+def test_a_run_up_turns_away_from_a_yaw_at_the_start_and_says_so() -> None:
+    assert "start.yaw is 45 deg" in scenario_warnings(as_scenario(RUN_UP, ("start.yaw=45deg",)))[0]
+    assert scenario_warnings(as_scenario(RUN_UP, ("start.yaw=5deg",))) == []
+
+
 def test_an_offset_moves_the_vehicle_and_not_its_run_up() -> None:
     aside = as_scenario(RUN_UP, ("start.offset=[0, 0.05, 0]",))
     assert aside.reference.start == (0.0, 0.0, 1.0)

@@ -63,23 +63,31 @@ def is_vehicle_file(word: Any) -> bool:
     return isinstance(word, str) and word.endswith(".toml")
 
 
-def read_vehicle(path: str | Path) -> dict[str, Any]:
+def read_vehicle(path: str | Path, named_by: tuple[Path, ...] = ()) -> dict[str, Any]:
     """Read the raw vehicle of a TOML file: its table ``[vehicle]``, or all of it.
 
     Args:
-        path: Of the file; it may name a preset, but no further file.
+        path: Of the file; it may name a preset, or another such file that it changes.
+        named_by: Files that name this one, each in the next.
 
     Raises:
-        InputError: If it cannot be read, or has no vehicle.
+        InputError: If it cannot be read, has no vehicle, or names itself.
     """
     given = toml_tables(source_text(Path(path)), str(path))
     found = given.get("vehicle", given)
     table = {"preset": found} if isinstance(found, str) else found
     if not isinstance(table, Mapping):
         raise InputError(f"{path}: vehicle: must be a table (got {shown_value(found)})")
-    if is_vehicle_file(table.get("preset")):
-        raise InputError(f"{path}: vehicle: must not name a further file, {table['preset']}")
-    return {**vehicle_table(table), "name": table.get("name", Path(path).stem)}
+    word, named = table.get("preset"), {"name": table.get("name", Path(path).stem)}
+    if not is_vehicle_file(word):
+        return {**vehicle_table(table), **named}
+    further, here = Path(path).parent / str(word), (*named_by, Path(path).resolve())
+    if further.resolve() in here:
+        raise InputError(
+            f"{path}: vehicle.preset: must not name a file that names this one, {word}"
+        )
+    changes = {key: value for key, value in table.items() if key != "preset"}
+    return {**merge(read_vehicle(further, here), changes), **named}
 
 
 def vehicle_table(given: Any) -> Any:

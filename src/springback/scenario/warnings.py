@@ -13,6 +13,8 @@ from springback.scenario.tables import ScenarioTables
 #: Distance from start.position to reference.start that is worth a warning [m] (chosen: more than
 #: five standard deviations of the trials' positions).
 APART = 0.2
+#: Yaw at the start of a run-up that is worth a warning [rad] (chosen: likewise).
+TURNED = 0.2
 #: Tables that only the pilot of the paper reads.
 _PAPERS = ("reference", "control", "estimator", "recovery")
 
@@ -36,7 +38,7 @@ def scenario_warnings(scenario: ScenarioTables, *, own: bool = False) -> list[st
         return _unread(unread, "no pilot flies without a [reference]")
     lag = scenario.vehicle.propulsion.time_constant
     gains = warnings_for(scenario.control, scenario.vehicle.mass, lag)
-    return gains + _circle_shortfalls(scenario) + _two_starts(scenario)
+    return gains + _circle_shortfalls(scenario) + _two_starts(scenario) + _turned_back(scenario)
 
 
 def _unread(names: list[str], why: str) -> list[str]:
@@ -52,6 +54,16 @@ def _two_starts(scenario: ScenarioTables) -> list[str]:
     return [
         f"reference.start is {apart:.3g} m from start.position: the vehicle flies there first, "
         "while the run-up begins; without reference.start it begins at start.position"
+    ]
+
+
+def _turned_back(scenario: ScenarioTables) -> list[str]:
+    """A yaw at the start that the run-up does not keep."""
+    yaw = scenario.start.angles()[2]
+    if not isinstance(scenario.reference, RunUpSettings) or abs(yaw) <= TURNED:
+        return []
+    return [
+        f"start.yaw is {math.degrees(yaw):.3g} deg: a run-up turns the vehicle to yaw 0 on its way"
     ]
 
 

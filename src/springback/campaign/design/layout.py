@@ -332,11 +332,8 @@ def _bases(plan: Plan, where: Source) -> tuple[Tables, ...]:
     given: Tables = json.loads(json.dumps(plan.scenario))  # converts all sequences to lists
     if not plan.robots:
         return (given,)
-    vehicle = given.get("vehicle", {})
-    if isinstance(vehicle, Mapping) and vehicle and "preset" not in vehicle:
-        what = "cannot be applied to a vehicle without a preset; leave robots out"
-        raise InputError(where.problem_line(("robots",), what))
-    own = dict(vehicle) if isinstance(vehicle, Mapping) else {}
+    vehicle = given.get("vehicle", {})  # robots replace it; changes to a preset hold for all
+    own = dict(vehicle) if isinstance(vehicle, Mapping) and "preset" in vehicle else {}
     bases = []
     for k, robot in enumerate(plan.robots):
         if robot in plan.vehicles:
