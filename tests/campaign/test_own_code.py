@@ -20,6 +20,7 @@ from springback.campaign.flying import fly_chunk, try_code
 from springback.campaign.running import run_campaign
 from springback.campaign.store import open_store, stored_plan
 from springback.errors import InputError
+from springback.scenario.code_files import with_absolute_names
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 CODE = """
@@ -150,6 +151,28 @@ def test_code_that_changes_meanwhile_is_noticed(
         fly_chunk(plan.canonical(), (0, 8))
     with pytest.raises(CampaignError, match=r"mine.py: differs between this process"):
         run_campaign(design, folder / "out", workers=1)
+
+
+@pytest.mark.parametrize(
+    "own",
+    [
+        {"pilot": "mine.py:hover"},
+        {"estimator": {"type": "own", "code": "mine.py:hover"}},
+        {"recovery": {"detection": {"own": {"code": "mine.py:hover"}}}},
+        {"world": {"obstacles": [{"type": "own", "shape": "mine.py:wall", "surface": "wall"}]}},
+    ],
+    ids=("pilot", "estimator", "detector", "obstacle"),
+)
+def test_a_gpu_refuses_code_before_it_is_looked_for(folder: Path, own: dict[str, Any]) -> None:
+    given = {"vehicle": "quad", "reference": {"type": "hold"}} | own
+    if "pilot" in own:
+        del given["reference"]
+    vary = ({"field": "start.position.0", "from": 0.3, "to": 0.7, "count": 2},)
+    plan = Plan(scenario=with_absolute_names(given, folder), method="grid", vary=vary)
+    with pytest.raises(InputError) as found:
+        run_campaign(plan, folder / "out", workers=1, device="gpu")
+    assert found.value.problems == ("--device gpu: cannot fly code of your own; use cpu",)
+    assert not (folder / "out").exists()
 
 
 def test_a_pilot_that_fails_ends_its_own_row(folder: Path) -> None:

@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,14 +12,15 @@ from click.testing import CliRunner
 
 from builders.cases import nonempty
 from springback.interfaces.cli.app import cli
+from springback.interfaces.figures.detection import direction_figure
 from springback.studies import detection
 from springback.studies.detection import (
     IN_TIME,
-    ROBOTS,
     SPEEDS,
     Approach,
     DetectionResults,
     approach_tables,
+    contact_position,
     detection_study,
     fly_ready_trial,
 )
@@ -30,6 +32,7 @@ from springback.studies.detection_tables import (
     sentences,
     sizes,
 )
+from springback.studies.run_ups import ROBOTS, study_vehicles
 
 
 @pytest.fixture(scope="module")
@@ -105,7 +108,7 @@ def test_curves_fall_with_the_threshold(study: DetectionResults) -> None:
 
 
 def test_robot_and_wall_stand_as_asked() -> None:
-    tables = approach_tables(Approach("arq", 2.0, 20.0, -30.0, 0), 0)
+    tables = approach_tables(Approach("arq", 2.0, 20.0, -30.0, 0), *study_vehicles(["arq"]), 0)
     (wall, _), yaw = tables["world"]["obstacles"], tables["start"]["yaw"]
     assert math.degrees(math.atan2(-wall["normal"][1], -wall["normal"][0])) == pytest.approx(
         20.0, abs=4.0
@@ -113,6 +116,32 @@ def test_robot_and_wall_stand_as_asked() -> None:
     assert math.degrees(yaw) == pytest.approx(-30.0, abs=8.0)
     _, guided = fly_ready_trial(tables)
     assert guided.flown.record.first_impact.touch_speed == pytest.approx(2.0 * math.cos(math.radians(20)), abs=0.15)  # fmt: skip
+
+
+def test_a_robot_of_one_s_own_flies_at_the_wall_and_is_drawn(
+    study: DetectionResults, tmp_path: Path
+) -> None:
+    """Presets touch where the paper's robots do; a vehicle of another size, as far off."""
+    own = tmp_path / "mine.toml"
+    own.write_text('preset = "arq"\nhull = { radius = "0.15 m", offset = ["0.18 m", 0, 0] }\n')
+    arq, quad, mine = study_vehicles(["arq", "quad", str(own)])
+    assert [contact_position(one) for one in (arq, quad, mine)] == [2.5, 2.5, 2.4]
+    tables = approach_tables(Approach("mine", 2.0, 0.0, 0.0, 0), mine, 0)
+    assert tables["vehicle"]["hull"]["radius"] == "0.15 m"
+    assert tables["reference"]["positions"][0][0] == pytest.approx(2.4 - 2.4)
+    named = [one._replace(name="mine") for one in study.vehicles if one.name == "arq"]
+    found = DetectionResults(
+        1, 0, tuple(named),
+        [
+            replace(one, approach=one.approach._replace(robot="mine"))
+            for one in study.collisions if one.approach.robot == "arq"
+        ],
+        free={"mine": study.free["arq"]}, alarms={"mine": study.alarms["arq"]},
+        free_on_momentum={"mine": study.free_on_momentum["arq"]},
+    )  # fmt: skip
+    assert found.triggers("mine") == study.triggers("arq")
+    assert {row["robot"] for row in nonempty(delay_rows(found))} == {"mine"}
+    assert direction_figure(found).axes[0].get_title(loc="left").startswith("mine")
 
 
 def test_tables_hold_every_flight(study: DetectionResults) -> None:

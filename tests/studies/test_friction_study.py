@@ -2,9 +2,17 @@
 
 from __future__ import annotations
 
+import math
+from pathlib import Path
+
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
+import springback
+from builders.cases import nonempty
+from springback.errors import InputError
+from springback.interfaces.cli.app import cli
 from springback.interfaces.figures.friction import clipping_figure, friction_figure
 from springback.studies.clipping import KINDS, clipping_losses
 from springback.studies.friction import (
@@ -12,8 +20,11 @@ from springback.studies.friction import (
     FrictionResults,
     friction_sentences,
     friction_study,
+    impact_tables,
 )
+from springback.studies.run_ups import study_vehicles
 
+OWN = 'name = "mine"\npreset = "arq"\nhull.offset = [0.1, 0, 0]\nhull.radius = "0.2 m"\n'
 FRICTIONS, YAWS = (0.0, 0.4, 0.8), (0.0, 3.0, 10.0, 45.0)
 
 
@@ -59,6 +70,53 @@ def test_quad_gives_nothing(results: FrictionResults) -> None:
     for axes in ("vertical", "both"):
         assert np.all(results.grid("quad", axes, "stroke")[2] == 0.0)
         assert np.all(results.grid("quad", axes, "arm_share")[2] == 0.0)
+
+
+def test_an_own_vehicle_touches_with_its_foremost_point(tmp_path: Path) -> None:
+    """Its hull reaches 0.3 m ahead, further than the cages of its arms, but less behind."""
+    (tmp_path / "mine.toml").write_text(OWN)
+    own, arq = study_vehicles([str(tmp_path / "mine.toml"), "arq"])
+    assert (own.name, own.reach(), own.reach(math.pi)) == ("mine", 0.1 + 0.2, arq.reach(math.pi))
+    tables = impact_tables(own, "both", 0.8, 0.0, 2.0)
+    flight = springback.fly(tables)
+    assert flight.measures["touch_time"] == pytest.approx(0.03 / 2.0, rel=0.01)
+
+
+def test_results_are_those_of_any_robots(results: FrictionResults) -> None:
+    """Drawn and said for the robots flown, in their order: those whose arms slide, if any."""
+    mine = FrictionResults([i._replace(robot="mine") for i in results.impacts if i.robot == "arq"])
+    mine.impacts += [i for i in results.impacts if i.robot == "quad"]
+    assert (mine.robots, mine.sprung) == (("mine", "quad"), ("mine",))
+    assert all(line.startswith("mine, mu 0.8") for line in nonempty(friction_sentences(mine)))
+    assert friction_figure(mine).axes[0].get_title(loc="left").startswith("mine")
+    rigid = FrictionResults([i for i in results.impacts if i.robot == "quad"])
+    assert rigid.sprung == ("quad",)
+    assert len(friction_figure(rigid).axes) == 4
+
+
+@pytest.mark.parametrize("command", ["friction", "detection"])
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["quadd"], "unknown vehicle preset 'quadd'"),
+        (["none.toml"], "none.toml: cannot be read"),
+        (["heavy.toml"], "heavy.toml: vehicle.body.mass: must be"),
+        (["arq-lumped"], "arq-lumped: vehicle.propulsion: is missing, so it cannot fly"),
+        (["arq", "arq.toml"], "arq.toml has the name of another vehicle, 'arq'"),
+    ],
+)
+def test_vehicles_that_cannot_fly_are_refused_in_a_line(
+    command: str, words: list[str], said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "arq.toml").write_text('preset = "quad"\n')
+    (tmp_path / "heavy.toml").write_text('preset = "quad"\nbody.mass = -1\n')
+    options = [part for word in words for part in ("--robot", word)]
+    done = CliRunner().invoke(cli, ["study", command, *options, "--out", "out", "--quiet"])
+    assert isinstance(done.exception, InputError)
+    [line] = done.exception.problems
+    assert line.startswith("--robot: ")
+    assert said in line
 
 
 def test_it_can_be_told_and_drawn(results: FrictionResults) -> None:

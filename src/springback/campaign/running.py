@@ -151,11 +151,11 @@ def run_campaign(
     workers = _at_least_one("workers", workers, os.cpu_count() or 1)
     on_gpu = device == "gpu"
     wanted = _at_least_one("chunk", chunk, GPU_CHUNK if on_gpu else CHUNK)
-    if on_gpu:
-        _check_gpu(scheduler)
     folder, remark, progress = Path(folder), remark or _silent, progress or _silent
     check_conditions(design)
     try_code(design, device)
+    if on_gpu:
+        _check_gpu(scheduler)
     flyer = _chunk_flyer(scheduler, workers, device, tls, remark)
     with flyer as fly, open_store(folder, design, resume=resume) as store:
         for line in [*changed_versions(folder), *store.checked_parts()]:

@@ -14,6 +14,7 @@ from springback.results.estimate_errors import clipped_area
 from springback.results.flight import fly
 from springback.sensing.parameters import STANDARD_GRAVITY
 from springback.studies.friction import PRINTED_FRICTION, impact_tables
+from springback.studies.run_ups import ROBOTS, study_vehicles
 
 SPEEDS = tuple(0.5 * k for k in range(2, 11))
 """[m/s]"""
@@ -54,10 +55,10 @@ def clipping_losses(
         full_scale: Range of each axis of the accelerometer [m/s²].
         progress: Called with the fraction done.
     """
-    found = []
+    found, vehicles = [], {one.name: one for one in study_vehicles(ROBOTS)}
     asked = [(robot, axes, speed) for robot, axes in KINDS for speed in speeds]
     for done, (robot, axes, speed) in enumerate(asked, 1):
-        flight = fly(impact_tables(robot, axes, PRINTED_FRICTION, 0.0, speed))
+        flight = fly(impact_tables(vehicles[robot], axes, PRINTED_FRICTION, 0.0, speed))
         velocity = clipped_area(flight, full_scale)
         restitution = flight.measures["restitution_at_separation"] or 0.0
         found.append(ClippingLoss(robot, axes, speed, velocity, speed * (1.0 + restitution)))

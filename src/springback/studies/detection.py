@@ -1,8 +1,8 @@
 """Study of detection and characterisation: delay, reliability and accuracy.
 
-Robots fly at a wall, head on and askew, with the scatter of `springback.studies.trials`; and they
-fly fast circles and steps in gusts, where there is nothing to hit.  Every trigger watches every
-flight, whether it is in use or not.
+Robots, the paper's or the user's own, fly at a wall, head on and askew, with the scatter of
+`springback.studies.trials`; and they fly fast circles and steps in gusts, where there is nothing to
+hit.  Every trigger watches every flight, whether it is in use or not.
 """
 
 from __future__ import annotations
@@ -24,9 +24,9 @@ from springback.simulation.guided import GuidedFlown
 from springback.simulation.onboard import Avionics
 from springback.simulation.record import Model
 from springback.studies.roc import Array, FalseAlarms, RocPoint, TriggerSignal, curve, false_alarms
+from springback.studies.run_ups import ROBOTS, WALL_DISTANCE, StudyVehicle, study_vehicles
 from springback.studies.trials import Scatter, trial_tables
 
-ROBOTS = ("arq", "quad")
 #: Speeds at contact [m/s]; the paper's are 2 and 3.5.
 SPEEDS = (0.25, 0.5, 1.0, 2.0, 3.5)
 #: Below this speed a collision is only to be detected, not characterised [m/s], chosen.
@@ -41,8 +41,6 @@ FREE = 1000.0
 PIECE = 50.0
 #: From where the robot first cruises to the wall, at least [m], chosen; less for slow approaches.
 RUN, SHORT_RUN, SLOW = 2.4, 0.6, 0.7
-#: Where the main body is when a robot that is not askew touches the paper's wall [m].
-CONTACT_X = 2.5
 #: A wall that is never met [m]; with it free flights are of the same kind as the others.
 FAR = 50.0
 #: Peak over mean speed of the polynomial of least snap from rest to rest: 35/16.
@@ -80,22 +78,32 @@ class Approach(NamedTuple):
     trial: int
 
 
+def contact_position(vehicle: StudyVehicle) -> float:
+    """Where the main body is when a vehicle touches the paper's wall, not askew [m].
+
+    It is rounded down to a decimetre: near its peak, speed hardly changes.
+    """
+    return math.floor(10.0 * (WALL_DISTANCE - vehicle.reach())) / 10.0
+
+
 def approach_tables(
-    approach: Approach, seed: int, changes: dict[str, Any] | None = None
+    approach: Approach, vehicle: StudyVehicle, seed: int, changes: dict[str, Any] | None = None
 ) -> dict[str, Any]:
     """The scenario of a flight at a wall: level cruise at the speed asked for, then contact.
 
     Args:
         approach: Speed and yaws.
+        vehicle: Its robot.
         seed: Of all random draws.
         changes: Tables merged over those of the test.
     """
     robot, speed, wall_yaw, robot_yaw, trial = approach
     noise_stream = Scatter().draw(robot, 0.0, speed, trial, seed)
     noise_stream = noise_stream._replace(wall_yaw=noise_stream.wall_yaw + math.radians(wall_yaw))
-    given = trial_tables(robot, 0.0, speed, noise_stream, changes)
+    own = {"vehicle": vehicle.tables} | (changes or {})
+    given = trial_tables(robot, 0.0, speed, noise_stream, own)
     run = RUN if speed > SLOW else SHORT_RUN
-    begin, lasting = CONTACT_X - run, PEAK_OVER_MEAN * 2.0 * run / speed
+    begin, lasting = contact_position(vehicle) - run, PEAK_OVER_MEAN * 2.0 * run / speed
     x, y, z = noise_stream.position
     return given | {
         "name": f"{robot}, {speed:g} m/s, wall {wall_yaw:g} deg, robot {robot_yaw:g} deg",
@@ -112,13 +120,15 @@ def approach_tables(
     }
 
 
-def free_tables(robot: str, number: int, changes: dict[str, Any] | None = None) -> dict[str, Any]:
+def free_tables(
+    vehicle: StudyVehicle, number: int, changes: dict[str, Any] | None = None
+) -> dict[str, Any]:
     """The scenario of a free flight: fast circles and steps in turn, half of them in gusts.
 
     The circle is the paper's fast one (Free Flight: 1 m, period π s), whose speed jumps at first.
 
     Args:
-        robot: Preset.
+        vehicle: Robot.
         number: Of the flight.
         changes: Tables laid over those of the test.
     """
@@ -129,8 +139,8 @@ def free_tables(robot: str, number: int, changes: dict[str, Any] | None = None) 
     )
     start = ([1.0, 0.0, 1.0], [0.0, 0.0, 1.0])[number % 2]
     given: dict[str, Any] = {
-        "name": f"{robot}, free flight {number + 1}",
-        "vehicle": robot,
+        "name": f"{vehicle.name}, free flight {number + 1}",
+        "vehicle": vehicle.tables,
         "reference": references[number % 2],
         "recovery": {},
         "world": {
@@ -301,16 +311,17 @@ def characterisation_error(
 
 
 def fly_collision(
-    approach: Approach, seed: int, changes: dict[str, Any] | None = None
+    approach: Approach, vehicle: StudyVehicle, seed: int, changes: dict[str, Any] | None = None
 ) -> CollisionTrial:
     """Fly one approach and evaluate the collision.
 
     Args:
         approach: Speed and yaws.
+        vehicle: Its robot.
         seed: Of all random draws.
         changes: Tables merged over those of the test.
     """
-    ready, guided = fly_ready_trial(approach_tables(approach, seed, changes))
+    ready, guided = fly_ready_trial(approach_tables(approach, vehicle, seed, changes))
     touch = guided.flown.record.first_impact.touch_time
     seen = guided.onboard.pilot.detection
     firsts = {name: getattr(seen, name).first for name in ("hall", "acceleration", "wrench")}
@@ -332,6 +343,7 @@ class DetectionResults:
     flights: int
     """Trials of each approach."""
     seed: int
+    vehicles: tuple[StudyVehicle, ...] = field(default_factory=lambda: study_vehicles(ROBOTS))
     collisions: list[CollisionTrial] = field(default_factory=list)
     on_momentum: list[CollisionTrial] = field(default_factory=list)
     free: dict[str, list[dict[str, TriggerSignal]]] = field(default_factory=dict)
@@ -342,13 +354,19 @@ class DetectionResults:
     _false_alarms: dict[tuple[str, str, int], FalseAlarms] = field(default_factory=dict, repr=False)
     """Cache: free flight is long."""
 
+    @property
+    def robots(self) -> tuple[str, ...]:
+        """Robots in order."""
+        return tuple(one.name for one in self.vehicles)
+
     def free_time(self, robot: str) -> float:
         """Free flight of a robot [s]."""
         return sum(len(one["wrench"].signal) * one["wrench"].period for one in self.free[robot])
 
     def triggers(self, robot: str) -> list[str]:
         """Triggers of a robot; the arms' sensors are useless where no arm slides."""
-        return [name for name in SIGNALS if name != "hall" or robot == "arq"]
+        slides = next(one for one in self.vehicles if one.name == robot).vehicle.is_compliant
+        return [name for name in SIGNALS if name != "hall" or slides]
 
     def hits(self, robot: str, trigger: str, speed: float | None = None) -> list[CollisionTrial]:
         """Collisions of a robot that a trigger watched."""
@@ -391,14 +409,17 @@ class DetectionResults:
         ]  # fmt: skip
 
 
-def _approaches(flights: int, askew: Sequence[tuple[int, int]]) -> Iterator[Approach]:
-    for robot, speed, (wall, yaw), trial in product(ROBOTS, SPEEDS, askew, range(flights)):
-        yield Approach(robot, speed, float(wall), float(yaw), trial)
+def _approaches(
+    vehicles: Sequence[StudyVehicle], flights: int, askew: Sequence[tuple[int, int]]
+) -> Iterator[tuple[Approach, StudyVehicle]]:
+    for one, speed, (wall, yaw), trial in product(vehicles, SPEEDS, askew, range(flights)):
+        yield Approach(one.name, speed, float(wall), float(yaw), trial), one
 
 
 def detection_study(
     flights: int = 4,
     *,
+    robots: Sequence[str] = ROBOTS,
     free: float = FREE,
     seed: int = 0,
     askew: Sequence[tuple[int, int]] = ASKEW,
@@ -408,15 +429,21 @@ def detection_study(
 
     Args:
         flights: Trials of each approach.
+        robots: Presets, and files with a vehicle.
         free: Free flight of each robot [s], in pieces of `PIECE`.
         seed: Of all random draws.
         askew: Yaws of wall and robot [deg].
         progress: Called with the fraction done.
+
+    Raises:
+        InputError: If a robot is invalid.
     """
-    results = DetectionResults(flights, seed)
-    hits, straight = list(_approaches(flights, askew)), list(_approaches(flights, askew[:1]))
+    results = DetectionResults(flights, seed, study_vehicles(robots))
+    hits, straight = (
+        list(_approaches(results.vehicles, flights, some)) for some in (askew, askew[:1])
+    )
     pieces = max(1, round(free / PIECE))
-    total = len(hits) + len(straight) + 2.0 * len(ROBOTS) * pieces
+    total = len(hits) + len(straight) + 2.0 * len(results.vehicles) * pieces
     done = 0.0
 
     def step() -> None:
@@ -424,18 +451,18 @@ def detection_study(
         done += 1.0
         progress(done / total)
 
-    for approach in hits:
-        results.collisions.append(fly_collision(approach, seed))
+    for approach, vehicle in hits:
+        results.collisions.append(fly_collision(approach, vehicle, seed))
         step()
-    for approach in straight:
-        results.on_momentum.append(fly_collision(approach, seed, ON_MOMENTUM))
+    for approach, vehicle in straight:
+        results.on_momentum.append(fly_collision(approach, vehicle, seed, ON_MOMENTUM))
         step()
-    for robot in ROBOTS:
+    for vehicle in results.vehicles:
         raised = dict.fromkeys(("hall", "acceleration", "wrench", "momentum"), 0.0)
         for number in range(pieces):
             for changes, kept in ((None, results.free), (ON_MOMENTUM, results.free_on_momentum)):
-                ready, guided = fly_ready_trial(free_tables(robot, number, changes))
-                kept.setdefault(robot, []).append(signals_of(ready, guided))
+                ready, guided = fly_ready_trial(free_tables(vehicle, number, changes))
+                kept.setdefault(vehicle.name, []).append(signals_of(ready, guided))
                 seen = guided.onboard.pilot.detection
                 if changes is None:
                     for name in ("hall", "acceleration", "wrench"):
@@ -443,5 +470,5 @@ def detection_study(
                 else:
                     raised["momentum"] += seen.wrench.alarms
                 step()
-        results.alarms[robot] = raised
+        results.alarms[vehicle.name] = raised
     return results

@@ -13,7 +13,6 @@ from springback.recovery.parameters import DetectionSettings
 from springback.studies.detection import (
     CHARACTERISED_FROM,
     IN_TIME,
-    ROBOTS,
     SOURCES,
     SPEEDS,
     UNITS,
@@ -41,7 +40,7 @@ def _median(values: Iterable[float]) -> float | None:
 def roc_rows(results: DetectionResults) -> Rows:
     """Every point of every receiver operating curve."""
     rows = []
-    for robot, persistence in product(ROBOTS, PERSISTENCES):
+    for robot, persistence in product(results.robots, PERSISTENCES):
         for trigger, speed in product(results.triggers(robot), SPEEDS):
             for p in results.curve(robot, trigger, speed, persistence):
                 rows.append({
@@ -115,7 +114,7 @@ def delay_table(results: DetectionResults) -> list[str]:
     """Delays at the default thresholds, a line for each robot and trigger."""
     head = f"{'delay [ms]: median (least to most)':<36}"
     lines = [head + "".join(f"{f'{speed:g} m/s':>22}" for speed in SPEEDS)]
-    for robot in ROBOTS:
+    for robot in results.robots:
         for trigger in results.triggers(robot):
             cells = []
             for speed in SPEEDS:
@@ -135,7 +134,7 @@ def direction_table(results: DetectionResults) -> list[str]:
     lines = []
     for to in ("normal", "impulse"):
         lines.append(f"{f'degrees off the {to}: median (most)':<36}{head}")
-        for robot, speed in product(ROBOTS, [v for v in SPEEDS if v >= CHARACTERISED_FROM]):
+        for robot, speed in product(results.robots, [v for v in SPEEDS if v >= CHARACTERISED_FROM]):
             found = results.characterisation_error(robot, speed)
             cells = [sizes(found, name, to) for name in SOURCES]
             texts = [f"{np.median(c):.1f} ({max(c):.1f})" if c else "-" for c in cells]
@@ -151,7 +150,7 @@ def place_table(results: DetectionResults) -> list[str]:
         ("intensity ratio", lambda one: one.intensity),
     )
     lines = ["".join((f"{'median (most)':<36}", *(f"{name:>20}" for name, _ in kinds), "  arms"))]
-    for robot, speed in product(ROBOTS, [v for v in SPEEDS if v >= CHARACTERISED_FROM]):
+    for robot, speed in product(results.robots, [v for v in SPEEDS if v >= CHARACTERISED_FROM]):
         found = results.characterisation_error(robot, speed)
         if not found:
             continue
@@ -165,7 +164,7 @@ def place_table(results: DetectionResults) -> list[str]:
 def false_alarm_sentences(results: DetectionResults) -> list[str]:
     """False alarms at the default thresholds, and the largest signals of free flight."""
     lines = []
-    for robot in ROBOTS:
+    for robot in results.robots:
         time, hours = results.free_time(robot), results.free_time(robot) / 3600.0
         for trigger in results.triggers(robot):
             kept = results.free_on_momentum if trigger == "momentum" else results.free
@@ -194,7 +193,7 @@ def detection_data(results: DetectionResults) -> dict[str, Any]:
     return {
         "flights": results.flights,
         "seed": results.seed,
-        "free_flight_s": {robot: results.free_time(robot) for robot in ROBOTS},
+        "free_flight_s": {robot: results.free_time(robot) for robot in results.robots},
         "false_alarms": results.alarms,
         "thresholds": {name: default_threshold(name) for name in UNITS},
         "units": UNITS,

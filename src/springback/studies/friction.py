@@ -3,7 +3,7 @@
 An arm slides along its own direction.  At 45 degrees to a wall it can give way only if its cage
 slides along the wall, so that of a normal force f the arm feels f (1 - mu)/sqrt(2) where friction
 opposes that slip, and f/sqrt(2) where it acts along the vertical only.  An arm straight ahead needs
-no slip.  This study flies hovering robots into the paper's wall.
+no slip.  This study flies hovering robots into the paper's wall: the paper's, or the user's own.
 """
 
 from __future__ import annotations
@@ -17,13 +17,11 @@ import numpy as np
 
 from springback.batch.scenarios import fly_scenarios
 from springback.progress import Progress, silent, stage
-from springback.studies.run_ups import WALL_DISTANCE
+from springback.studies.run_ups import ROBOTS, WALL_DISTANCE, StudyVehicle, study_vehicles
 from springback.studies.trials import Condition, fly_trials, tally
-from springback.vehicle.library import VEHICLES
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
-ROBOTS = ("arq", "quad")
 AXES = ("vertical", "both")
 """Values of `SurfaceSettings.friction_axes`."""
 FRICTIONS = tuple(round(0.1 * k, 1) for k in range(11))
@@ -92,6 +90,17 @@ class FrictionResults:
     impacts: list[HoverImpact] = field(default_factory=list)
     flown: list[PilotedImpacts] = field(default_factory=list)
 
+    @property
+    def robots(self) -> tuple[str, ...]:
+        """Robots in order."""
+        return tuple(dict.fromkeys(i.robot for i in self.impacts))
+
+    @property
+    def sprung(self) -> tuple[str, ...]:
+        """Robots with an arm that slid; all if there is none."""
+        slid = {i.robot for i in self.impacts if i.stroke > 0.0}
+        return tuple(robot for robot in self.robots if robot in slid) or self.robots
+
     def grid(self, robot: str, axes: str, measure: str) -> tuple[list[float], list[float], Array]:
         """Coefficients, yaws [deg] and a measure of shape (coefficients, yaws)."""
         mine = {(i.friction, i.yaw): i for i in self.impacts if (i.robot, i.axes) == (robot, axes)}
@@ -106,31 +115,26 @@ class FrictionResults:
 
 
 def impact_tables(
-    robot: str, axes: str, friction: float, yaw: float, speed: float
+    robot: StudyVehicle, axes: str, friction: float, yaw: float, speed: float
 ) -> dict[str, Any]:
     """The scenario of one collision, as plain tables: level, with hover thrust, no pilot.
 
     Args:
-        robot: Preset.
+        robot: Vehicle.
         axes: Along which tangents friction acts, ``vertical`` or ``both``.
         friction: Coefficient.
         yaw: Of the robot against the wall's normal [deg].
         speed: Into the wall [m/s].
     """
-    psi, arms = math.radians(yaw), VEHICLES[robot].vehicle.arms
-    ahead = max(
-        float(arms.at("length", j)) * math.cos(float(direction) + psi)
-        + float(arms.at("cage_radius", j))
-        for j, direction in enumerate(arms.directions)
-    )
+    psi = math.radians(yaw)
     surface = {"preset": "wall", "friction": friction, "friction_axes": axes}
     return {
-        "name": f"{robot}, {axes}, mu {friction:g}, yaw {yaw:g} deg",
-        "vehicle": robot,
+        "name": f"{robot.name}, {axes}, mu {friction:g}, yaw {yaw:g} deg",
+        "vehicle": robot.tables,
         "thrust": "hover",
         "world": {"obstacles": [{"type": "wall", "distance": WALL_DISTANCE, "surface": surface}]},
         "start": {
-            "position": [WALL_DISTANCE - ahead - ROOM, 0.0, 1.0],
+            "position": [WALL_DISTANCE - robot.reach(psi) - ROOM, 0.0, 1.0],
             "velocity": [speed, 0.0, 0.0],
             "yaw": psi,
         },
@@ -141,6 +145,7 @@ def impact_tables(
 def friction_study(
     trials: int = TRIALS,
     *,
+    robots: Sequence[str] = ROBOTS,
     frictions: Sequence[float] = FRICTIONS,
     yaws: Sequence[float] = YAWS,
     speed: float = SPEED,
@@ -151,15 +156,20 @@ def friction_study(
 
     Args:
         trials: Of each straight test; none are flown with 0.
+        robots: Presets, and files with a vehicle.
         frictions: Coefficients.
         yaws: [deg].
         speed: Of the grid [m/s].
         seed: Of the random draws of the trials.
         progress: Called with the fraction done.
+
+    Raises:
+        InputError: If a robot is invalid.
     """
+    vehicles = study_vehicles(robots)
     asked = [
         (robot, axes, friction, yaw)
-        for robot in ROBOTS
+        for robot in vehicles
         for axes in AXES
         for friction in frictions
         for yaw in yaws
@@ -175,14 +185,16 @@ def friction_study(
         stroke, peak, restitution = (float(column[k]) for column in columns)
         share = float(arms[k] / lost[k])
         results.impacts.append(
-            HoverImpact(robot, axes, friction, yaw, speed, stroke, peak, restitution, share)
+            HoverImpact(robot.name, axes, friction, yaw, speed, stroke, peak, restitution, share)
         )
     for k, axes in enumerate(AXES if trials else ()):
         surface = {"preset": "wall", "friction_axes": axes}
         wall = {"type": "wall", "distance": WALL_DISTANCE, "surface": surface}
         tests = [
-            Condition(robot, 0.0, speed, {"world": {"obstacles": [wall]}})
-            for robot in ROBOTS
+            Condition(
+                robot.name, 0.0, speed, {"vehicle": robot.tables, "world": {"obstacles": [wall]}}
+            )
+            for robot in vehicles
             for speed in SPEEDS
         ]
         part = stage(progress, 0.5 + 0.5 * k / len(AXES), 0.5 / len(AXES))
@@ -203,14 +215,15 @@ def friction_sentences(results: FrictionResults) -> list[str]:
     """Results of the study, a line each."""
     said = []
     words = {"vertical": "along e_Z, the paper's", "both": "along both tangents"}
-    held = [results.at("arq", axes, PRINTED_FRICTION, 0.0) for axes in AXES]
-    ahead = results.at("arq", "both", PRINTED_FRICTION, YAWS[-1])
-    for one, where in ((held[0], "yaw 0"), (held[1], "yaw 0"), (ahead, f"yaw {YAWS[-1]:g} deg")):
-        said.append(
-            f"ARQ, mu {one.friction:g} {words[one.axes]}, {where}, {one.speed:g} m/s: stroke "
-            f"{1e3 * one.stroke:.1f} mm, peak {one.peak:.0f} m/s^2, arms take "
-            f"{100 * one.arm_share:.0f} % of the losses"
-        )
+    for robot in results.sprung:
+        held = [results.at(robot, axes, PRINTED_FRICTION, 0.0) for axes in AXES]
+        ahead = results.at(robot, "both", PRINTED_FRICTION, YAWS[-1])
+        for one in (*held, ahead):
+            said.append(
+                f"{robot}, mu {one.friction:g} {words[one.axes]}, yaw {one.yaw:g} deg, "
+                f"{one.speed:g} m/s: stroke {1e3 * one.stroke:.1f} mm, peak {one.peak:.0f} "
+                f"m/s^2, arms take {100 * one.arm_share:.0f} % of the losses"
+            )
     for row in results.flown:
         said.append(
             f"{row.robot} in flight at 0 deg, {row.speed:g} m/s, friction {words[row.axes]}: "

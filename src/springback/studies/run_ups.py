@@ -1,4 +1,4 @@
-"""Accuracy of run-ups: speed and pitch at the wall, against those asked for."""
+"""Vehicles and run-ups of studies: speed and pitch at the wall, against those asked for."""
 
 from __future__ import annotations
 
@@ -11,6 +11,12 @@ import numpy as np
 from springback.control.reference_parameters import RunUpSettings
 from springback.errors import InputError
 from springback.results.flight import Flight
+from springback.scenario.presets import is_vehicle_file, read_vehicle
+from springback.scenario.scenario import scenario_from
+from springback.vehicle.parameters import Vehicle
+
+ROBOTS = ("arq", "quad")
+"""Presets of the paper's robots."""
 
 #: Pitch [deg, positive nose down] and speed [m/s] of the paper's collisions, Impact Resilience.
 CONDITIONS = (
@@ -22,6 +28,61 @@ WALL_DISTANCE = 2.75
 PAPER_WALL = "paper-wall"
 #: Long enough to arrive, and to be seen leaving [s], chosen.
 DURATION = 4.0
+
+
+class StudyVehicle(NamedTuple):
+    """Vehicle of a study, a preset or the user's own."""
+
+    name: str
+    tables: dict[str, Any]
+    """Raw, as in a scenario."""
+    vehicle: Vehicle
+
+    def reach(self, yaw: float = 0.0) -> float:
+        """From the main body to the foremost point along x, level [m].
+
+        Args:
+            yaw: Of the vehicle [rad].
+        """
+        arms, hull = self.vehicle.arms, self.vehicle.hull
+        points = [
+            float(arms.at("length", j)) * math.cos(float(direction) + yaw)
+            + float(arms.at("cage_radius", j))
+            for j, direction in enumerate(arms.directions)
+        ]
+        if hull is not None:
+            x, y, _ = hull.offset
+            points.append(x * math.cos(yaw) - y * math.sin(yaw) + hull.radius)
+        return max(points)
+
+
+def study_vehicles(words: Sequence[str]) -> tuple[StudyVehicle, ...]:
+    """Vehicles of a study, which must be able to fly.
+
+    Args:
+        words: Presets, and files with a vehicle; repeated words count once.
+
+    Raises:
+        InputError: If one is unknown or invalid, has no rotors, or has the name of another.
+    """
+    found: dict[str, StudyVehicle] = {}
+    for word in dict.fromkeys(words):
+        own = is_vehicle_file(word)
+        try:
+            tables = read_vehicle(word) if own else {"preset": word}
+            vehicle = scenario_from({"vehicle": tables}).vehicle
+        except InputError as error:
+            lines = (line if word in line else f"{word}: {line}" for line in error.problems)
+            raise InputError(*(f"--robot: {line}" for line in lines)) from None
+        name = str(tables["name"]) if own else word
+        if vehicle.propulsion is None:
+            raise InputError(f"--robot: {word}: vehicle.propulsion: is missing, so it cannot fly")
+        if name in found:
+            raise InputError(
+                f"--robot: {word} has the name of another vehicle, {name!r}; give it another"
+            )
+        found[name] = StudyVehicle(name, tables, vehicle)
+    return tuple(found.values())
 
 
 class Arrival(NamedTuple):

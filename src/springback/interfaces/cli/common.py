@@ -16,6 +16,7 @@ from typing import Any
 
 import click
 
+from springback.interfaces.cli.completion import complete_vehicle
 from springback.interfaces.output.plain_text import plain_text
 
 Command = Callable[..., None]
@@ -161,6 +162,12 @@ FLAGS = {
 seed_option = click.option(
     "--seed", type=click.IntRange(0), default=0, show_default=True, help="Of all random numbers."
 )
+
+robots_option = click.option(
+    "--robot", "robots", multiple=True, default=("arq", "quad"), show_default=True,
+    help="Vehicle preset, or file with a vehicle; may be repeated.",
+    shell_complete=complete_vehicle,
+)  # fmt: skip
 
 
 def trials_option(default: int, of: str = "Trials of each test.") -> Callable[[Command], Command]:

@@ -4,18 +4,13 @@ from __future__ import annotations
 
 import click
 
-from springback.interfaces.cli.common import Output, output_options
-from springback.interfaces.cli.completion import complete_vehicle
+from springback.interfaces.cli.common import Output, output_options, robots_option
 
 
 @click.command(name="map")
 @click.argument("x", default="speed=1:5:9", metavar="[X=FROM:TO:COUNT]")
 @click.argument("y", required=False, metavar="[Y=FROM:TO:COUNT]")
-@click.option(
-    "--robot", "robots", multiple=True, default=("arq", "quad"), show_default=True,
-    help="Vehicle preset, or file with a vehicle; may be repeated.",
-    shell_complete=complete_vehicle,
-)  # fmt: skip
+@robots_option
 @click.option("--trials", type=int, default=10, show_default=True, help="Flights of each cell.")
 @click.option("--seed", type=int, default=0, show_default=True, help="Of all random numbers.")
 @click.option(

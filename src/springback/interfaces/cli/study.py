@@ -5,7 +5,13 @@ from __future__ import annotations
 import click
 
 from springback.errors import InputError
-from springback.interfaces.cli.common import Output, output_options, seed_option, trials_option
+from springback.interfaces.cli.common import (
+    Output,
+    output_options,
+    robots_option,
+    seed_option,
+    trials_option,
+)
 
 LEAST_DURATION, MOST_DURATION = 4.0, 60.0
 """Limits of the duration of a trial, longer than the longest run-up and an impact [s]."""
@@ -45,9 +51,9 @@ def _durations(text: str) -> tuple[float, ...]:
 def why(trials: int, seed: int, no_ranges: bool, output: Output) -> None:
     """Change one assumption at a time, then two, and count the tests that each robot survives.
 
-    Compliance, clipping, estimator, limits, delays, friction, contact point, recovery; pairs of
-    changes at 3.5 m/s; then the ranges of parameters that the paper does not print in which the
-    printed result holds.
+    It is a question about the paper's two robots, and flies no other. Compliance, clipping,
+    estimator, limits, delays, friction, contact point, recovery; pairs of changes at 3.5 m/s; then
+    the ranges of parameters that the paper does not print in which the printed result holds.
     """
     from springback.interfaces.reports.study_files import write_study
     from springback.studies.ablation import RANGES, why_sentences
@@ -90,7 +96,8 @@ def why(trials: int, seed: int, no_ranges: bool, output: Output) -> None:
 def choices(trials: int, durations: str, seed: int, output: Output) -> None:
     """Recompute the resilience table with each set of choices that the paper leaves open.
 
-    Friction along e_Z or along both tangents, springback's estimator or the noise that PX4's EKF2
+    It compares with the paper's table, and so flies the paper's two robots only. Friction along
+    e_Z or along both tangents, springback's estimator or the noise that PX4's EKF2
     assumes, and the duration of a trial: which set gives most of the printed table?
     """
     from springback.interfaces.reports.study_files import write_study
@@ -120,6 +127,7 @@ def choices(trials: int, durations: str, seed: int, output: Output) -> None:
 
 
 @study.command()
+@robots_option
 @trials_option(40, "Trials of each straight test in flight.")
 @click.option(
     "--speed", type=click.FloatRange(0.2, 10.0), default=2.0, show_default=True,
@@ -127,11 +135,15 @@ def choices(trials: int, durations: str, seed: int, output: Output) -> None:
 )  # fmt: skip
 @seed_option
 @output_options("Folder for friction.json, CSV, figure.")
-def friction(trials: int, speed: float, seed: int, output: Output) -> None:
+def friction(robots: tuple[str, ...], trials: int, speed: float, seed: int, output: Output) -> None:
     """Study the effect of friction on the springs, over its axes, its coefficient and the yaw.
 
     Friction along both tangents holds the two front cages, and arms at 45 degrees are compressed
     only if their cages slide.
+
+    \b
+    springback study friction --out friction
+    springback study friction --robot arq --robot my_vehicle.toml --out friction
     """
     from springback.interfaces.reports.study_files import write_study
     from springback.studies.friction import friction_sentences, friction_study
@@ -139,7 +151,7 @@ def friction(trials: int, speed: float, seed: int, output: Output) -> None:
     figures = output.wants_figures()
     with output.folder() as folder:
         with output.progress_bar("impacts and trials") as show:
-            results = friction_study(trials, speed=speed, seed=seed, progress=show)
+            results = friction_study(trials, robots=robots, speed=speed, seed=seed, progress=show)
         impacts, flown = ([x.as_dict() for x in some] for some in (results.impacts, results.flown))
         said = friction_sentences(results)
         data = {"impacts": impacts, "flown": flown, "sentences": said}
@@ -154,6 +166,7 @@ def friction(trials: int, speed: float, seed: int, output: Output) -> None:
 
 
 @study.command()
+@robots_option
 @click.option(
     "--flights", type=click.IntRange(1, 1000), default=4, show_default=True, help="Of each test."
 )
@@ -163,11 +176,17 @@ def friction(trials: int, speed: float, seed: int, output: Output) -> None:
 )  # fmt: skip
 @seed_option
 @output_options("Folder for detection.json, CSV, figures.")
-def detection(flights: int, free: float, seed: int, output: Output) -> None:
+def detection(
+    robots: tuple[str, ...], flights: int, free: float, seed: int, output: Output
+) -> None:
     """Study the speed and reliability of collision detection, and errors of characterisation.
 
     Delays, misses and false alarms of every trigger, over thresholds and speeds; errors of
     direction, position and arms relative to the truth.
+
+    \b
+    springback study detection --out detection
+    springback study detection --robot my_vehicle.toml --flights 1 --out detection
     """
     from springback.interfaces.reports.study_files import write_study
     from springback.studies.detection import detection_study
@@ -177,7 +196,7 @@ def detection(flights: int, free: float, seed: int, output: Output) -> None:
     with output.folder() as folder:
         output.note("hundreds of flights; the first run compiles for minutes")
         with output.progress_bar("collisions and free flight") as show:
-            results = detection_study(flights, free=free, seed=seed, progress=show)
+            results = detection_study(flights, robots=robots, free=free, seed=seed, progress=show)
         data, drawn = detection_data(results), {}
         if figures:
             from springback.interfaces.figures import detection as plots

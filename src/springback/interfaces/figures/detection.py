@@ -10,7 +10,7 @@ from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter, StrMethodF
 
 from springback.interfaces.figures.chart import Chart
 from springback.interfaces.figures.style import LOOKS, WIDTH, StyledFigure, in_style
-from springback.interfaces.output.robots import GREY, INK, ROBOTS
+from springback.interfaces.output.robots import GREY, INK, robot_label
 from springback.studies.detection import (
     CHARACTERISED_FROM,
     IN_TIME,
@@ -19,7 +19,6 @@ from springback.studies.detection import (
     SPEEDS,
     DetectionResults,
 )
-from springback.studies.detection import ROBOTS as FLOWN
 from springback.studies.detection_tables import default_threshold, sizes
 from springback.studies.roc import RocPoint
 
@@ -37,6 +36,17 @@ MANY = 3e3
 as the refractory time of 1 s permits."""
 
 
+def _height(results: DetectionResults) -> float:
+    """Height of a figure with a row for each robot [in]."""
+    return 0.6 + 1.9 * len(results.robots)
+
+
+def _title(robot: str, what: str) -> str:
+    """Title of a panel, in two lines if the robot's name is long."""
+    name = robot_label(robot)
+    return f"{name}:\n{what}" if len(name) > 6 else f"{name}: {what}"
+
+
 def _charts(
     results: DetectionResults, figure: Figure, *, x: str, y: str
 ) -> Iterator[tuple[str, str, Chart]]:
@@ -45,19 +55,20 @@ def _charts(
     Only the outer panels have axis labels and tick labels.  Without ``x`` each column has the axis
     of its trigger.
     """
-    shape = (len(FLOWN), len(SIGNALS))
-    axes = figure.subplots(*shape, sharex="all" if x else "col", sharey=True)
-    for row, robot in zip(axes, FLOWN, strict=True):
+    shape = (len(results.robots), len(SIGNALS))
+    axes = figure.subplots(*shape, sharex="all" if x else "col", sharey=True, squeeze=False)
+    for row, robot in zip(axes, results.robots, strict=True):
         has = results.triggers(robot)
         for ax, trigger in zip(row, SIGNALS, strict=True):
             name, _, threshold = TRIGGERS[trigger]
-            title = f"{ROBOTS[robot].label}: {name}"
+            title = _title(robot, name)
             if trigger not in has:
                 ax.set_axis_off()
                 ax.text(0.5, 0.5, "no arm slides", ha="center", color=GREY, transform=ax.transAxes)
                 ax.set_title(title, color=GREY)
                 continue
-            below = robot == FLOWN[-1] or trigger not in results.triggers(FLOWN[-1])
+            last = results.robots[-1]
+            below = robot == last or trigger not in results.triggers(last)
             ax.tick_params(labelbottom=below, labelleft=trigger == has[0])
             ax.set_xscale("log")
             yield robot, trigger, Chart(ax, x or threshold, y, title)
@@ -79,7 +90,7 @@ def roc_figure(results: DetectionResults) -> Figure:
     Args:
         results: Results of the study.
     """
-    figure = StyledFigure(figsize=(WIDE, 4.4))
+    figure = StyledFigure(figsize=(WIDE, _height(results)))
     noticed = f"Detected within {1e3 * IN_TIME:g} ms [-]"
     for robot, trigger, chart in _charts(results, figure, x="False alarms [1/h]", y=noticed):
         for look, speed in zip(LOOKS, SPEEDS, strict=False):
@@ -105,7 +116,7 @@ def delay_figure(results: DetectionResults) -> Figure:
     Args:
         results: Results of the study.
     """
-    figure = StyledFigure(figsize=(WIDE, 4.4))
+    figure = StyledFigure(figsize=(WIDE, _height(results)))
     for robot, trigger, chart in _charts(results, figure, x="", y="Delay [ms]"):
         scale = TRIGGERS[trigger][1]
         for look, speed in zip(LOOKS, SPEEDS, strict=False):
@@ -152,12 +163,12 @@ def direction_figure(results: DetectionResults) -> Figure:
     Args:
         results: Results of the study.
     """
-    figure = StyledFigure(figsize=(WIDTH, 4.6))
-    axes = figure.subplots(len(FLOWN), 2, sharex=True, sharey=True)
+    figure = StyledFigure(figsize=(WIDTH, _height(results)))
+    axes = figure.subplots(len(results.robots), 2, sharex=True, sharey=True, squeeze=False)
     speeds = [v for v in SPEEDS if v >= CHARACTERISED_FROM]
-    for row, robot in zip(axes, FLOWN, strict=True):
+    for row, robot in zip(axes, results.robots, strict=True):
         for ax, to in zip(row, ("normal", "impulse"), strict=True):
-            title = f"{ROBOTS[robot].label}: off the {to}"
+            title = _title(robot, f"off the {to}")
             chart = Chart(ax, "category", "Direction error [deg]", title)
             for k, speed in enumerate(speeds):
                 errors = results.characterisation_error(robot, speed)

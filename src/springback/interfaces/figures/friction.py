@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from springback.interfaces.figures.chart import Chart
 from springback.interfaces.figures.style import WIDTH, StyledFigure, in_style
-from springback.interfaces.output.robots import INK, ROBOTS, SKY
+from springback.interfaces.output.robots import INK, ROBOTS, SKY, robot_label, robot_styles
 from springback.studies.clipping import ClippingLoss
 from springback.studies.friction import PRINTED_FRICTION, FrictionResults
 
@@ -30,18 +30,24 @@ LOOKS = {
 
 @in_style
 def friction_figure(results: FrictionResults) -> Figure:
-    """Stroke and peak of ARQ over yaw, for some coefficients, and over the coefficient."""
+    """Stroke and peak of the first robot whose arms slide, over yaw and over the coefficient.
+
+    The other robots' peaks are drawn beside it.
+    """
+    shown = results.sprung[0]
+    name = robot_label(shown)
+    others = [robot for robot in results.robots if robot != shown]
     figure = StyledFigure(figsize=(1.5 * WIDTH, 5.6), layout="constrained")
     axes = figure.subplots(2, 2, sharex="col", sharey="row")
     shades = colormaps["viridis"]
     for row, (measure, label, scale) in enumerate(PANELS):
         first = row == 0
-        left = Chart(axes[row, 0], "Yaw against the wall [°]", label, "Over the yaw", titled=first)
-        right = Chart(
-            axes[row, 1], FRICTION, label, "Over the coefficient of friction", titled=first
+        left = Chart(
+            axes[row, 0], "Yaw against the wall [°]", label, f"{name}: over the yaw", titled=first
         )
-        frictions, yaws, free = results.grid("arq", "vertical", measure)
-        _, _, held = results.grid("arq", "both", measure)
+        right = Chart(axes[row, 1], FRICTION, label, f"{name}: over the coefficient", titled=first)
+        frictions, yaws, free = results.grid(shown, "vertical", measure)
+        _, _, held = results.grid(shown, "both", measure)
         of_print = frictions.index(PRINTED_FRICTION)
         left.curve(
             "along the vertical, as in the paper, any μ", yaws, scale * free[of_print], color=INK,
@@ -61,11 +67,11 @@ def friction_figure(results: FrictionResults) -> Figure:
                 color=shades(0.85 - 0.27 * k), marker="os^D"[k % 4], ms=3.5,
             )  # fmt: skip
         right.vline("Table II's μ", PRINTED_FRICTION, ls=DOTTED)
-        if measure == "peak":
-            quad = results.grid("quad", "vertical", measure)[2]
+        for robot, look in robot_styles(others if measure == "peak" else ()).items():
+            peaks = results.grid(robot, "vertical", measure)[2]
             left.curve(
-                "Quad, along the vertical", yaws, scale * quad[of_print], lw=1.2,
-                **ROBOTS["quad"].curve,
+                f"{robot_label(robot)}, along the vertical", yaws, scale * peaks[of_print], lw=1.2,
+                **look.curve,
             )  # fmt: skip
     figure.align_ylabels(axes[:, 0])
     figure.legend(*axes[1, 0].get_legend_handles_labels(), loc="outside lower left")
