@@ -130,6 +130,7 @@ def test_levels_and_logarithms_have_their_own_cells(tmp_path: Path) -> None:
     vary = [
         SPEED | {"spacing": "logarithmic"}, PITCH | {"count": 3}, SURFACE,
         {"field": "friction", "from": 0.1, "to": 0.9, "count": 60},
+        {"field": "yaw", "values": ["45 deg", "22.5 deg"]},
     ]  # fmt: skip
     filled(tmp_path, samples=300, parts=2, size=300, vary=vary)
     told = Campaign(tmp_path)
@@ -139,6 +140,8 @@ def test_levels_and_logarithms_have_their_own_cells(tmp_path: Path) -> None:
     assert len(marginal(told, "pitch").robots["arq"]) == 3
     assert scale(told, "surface", 9).labels == ("wall", "mat")
     assert scale(told, "friction", 9).labels == ()
+    yaw = scale(told, "yaw", 9)  # in order, however listed
+    assert yaw.edges == pytest.approx((math.radians(22.5), math.radians(45.0)))
     for name in ("speed", "pitch", "friction"):
         assert sum(c.flights for c in marginal(told, name).robots["arq"]) == 300
 

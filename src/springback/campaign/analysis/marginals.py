@@ -66,6 +66,7 @@ def scale(campaign: Campaign, name: str, cells: int) -> Scale:
     one, column = known[name], identifier(name)
     if isinstance(one.law, LevelSet) and (one.text or len(one.law.values) <= MOST_LEVELS):
         values = [one.column_value(k, 0) for k in range(one.law.levels)]
+        values = values if one.text else sorted(values)
         labels = tuple(v if isinstance(v, str) else f"{v:.6g}" for v in values)
         texts = ", ".join(f"{v!r}" if isinstance(v, str) else f"{v!r}::DOUBLE" for v in values)
         places = () if one.text else tuple(float(v) for v in values)

@@ -24,7 +24,7 @@ from springback.interfaces.figures.style import StyledFigure, in_style
 from springback.interfaces.output.quantities import DisplayUnit, display_unit, quantity_text
 from springback.interfaces.output.robots import SHADE, RobotStyle, robot_styles
 
-SHARE = "Share that succeeds [-]"
+SHARE = "Success rate [-]"
 FLIGHTS = "Flights [-]"
 #: Panels side by side, and their size [in].
 ABREAST, PANEL = 3, (2.5, 2.0)
@@ -135,6 +135,7 @@ def _ticks(axes: Axes, scale: Scale) -> None:
         axes.grid(visible=False, axis="x")
     elif scale.labels and len(scale.labels) <= 7:
         axes.set_xticks(display_values(scale, scale.edges))
+        axes.margins(x=0.12)  # labels keep clear of the neighbour's
 
 
 def round_ticks(low: float, high: float) -> list[float]:
