@@ -18,7 +18,8 @@ from springback.control.target import AttitudeTarget, Target, Wrench, target
 from springback.kernels.compiler import kernel
 from springback.kernels.layout import TreeLayout, load, store
 from springback.kernels.tracing import traceable  # for batch set-up
-from springback.kernels.trees import Rarely, maximum, select, tree_map
+from springback.kernels.tree_code import Rarely
+from springback.kernels.trees import maximum, select, tree_map
 from springback.kernels.vectors import ZERO, Mat3, Vec
 from springback.sensing.measurement import (
     Estimate,

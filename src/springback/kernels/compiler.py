@@ -24,62 +24,25 @@ import numba
 import numba.extending
 import platformdirs
 from numba import njit
-from numba.core import compiler, compiler_machinery, lowering, typed_passes
 from numba.core.errors import NumbaError
 from numba.extending import register_jitable
 
 from springback.kernels.kernel_cache import KernelCache
+from springback.kernels.pipeline import CompilerForLanes
 
-#: Parts of numba with incomplete type stubs, or none.
+#: Part of numba without type stubs.
 _overload: Any = numba.extending.overload
-_register_pass: Any = compiler_machinery.register_pass
-_Lower: Any = lowering.Lower
-_NativeLowering: Any = typed_passes.NativeLowering
-_Compiler: Any = compiler.Compiler
 
 F = TypeVar("F", bound=Callable[..., Any])
 P = ParamSpec("P")
 R = TypeVar("R", covariant=True)
 
 
-#: Attributes of every function, as LLVM writes them.  By default LLVM uses only half of a 512-bit
-#: register on Intel processors, the earliest of which slowed down with more; and it does not align
-#: the stack, so that a spilled register usually straddles two cache lines.
-_FOR_LANES = ('"prefer-vector-width"="512"', '"stackrealign"')
-
-
-class _LowerForLanes(_Lower):  # type: ignore[misc]
-    def setup_function(self, fndesc: Any) -> None:
-        super().setup_function(fndesc)
-        set.update(self.function.attributes, _FOR_LANES)  # llvmlite's own `add` refuses these
-
-
-@_register_pass(mutates_CFG=True, analysis_only=False)
-class _LoweringForLanes(_NativeLowering):  # type: ignore[misc]
-    _name = "lowering_for_lanes"
-
-    @property
-    def lowering_class(self) -> Any:
-        return _LowerForLanes
-
-
-class _CompilerForLanes(_Compiler):  # type: ignore[misc]
-    def define_pipelines(self) -> list[Any]:
-        pipelines: list[Any] = super().define_pipelines()
-        for pipeline in pipelines:
-            pipeline.passes = [
-                (_LoweringForLanes if step is _NativeLowering else step, title)
-                for step, title in pipeline.passes
-            ]
-            pipeline.finalize()
-        return pipelines
-
-
 #: Flags for code that may assume finite numbers; finiteness is checked outside
 #: (simulation.executor).
 FINITE = {"nnan", "ninf", "nsz"}
 _COMMON: dict[str, Any] = {
-    "error_model": "numpy", "no_cfunc_wrapper": True, "pipeline_class": _CompilerForLanes,
+    "error_model": "numpy", "no_cfunc_wrapper": True, "pipeline_class": CompilerForLanes,
 }  # fmt: skip
 #: Kernels hold floats only: compiling them without reference counting is one seventh faster.
 _UNCOUNTED: dict[str, Any] = {"forceinline": True, "_nrt": False, **_COMMON}
@@ -195,7 +158,7 @@ def source_digest() -> str:
     package = Path(__file__).parents[1]
     digest = hashlib.sha256()
     for chapter in ("", *_SOURCES):
-        for path in sorted((package / chapter).glob("*.py")):
+        for path in sorted((package / chapter).glob("**/*.py" if chapter else "*.py")):
             digest.update(path.read_bytes())
     return digest.hexdigest()[:16]
 

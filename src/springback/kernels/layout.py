@@ -8,21 +8,17 @@ begins, so that `load` and `store` reach any branch by name.
 
 from __future__ import annotations
 
-import functools
 import math
 from typing import Any, NamedTuple
 
 import numba
 import numpy as np
-from llvmlite import binding, ir
 from numba import types
 from numba.core.typing import templates
 
 from springback.kernels.compiler import compiler_rule, is_named
+from springback.kernels.tree_code import load_tree, store_tree
 from springback.kernels.trees import (
-    Rarely,
-    branches,
-    construct,
     function_of,
     leaf_count,
     leaves,
@@ -220,11 +216,8 @@ _PLACE = (*_STEP, "start = whole(row) * step + start")
 
 @compiler_rule(read)
 def _read(like: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
-    tree = like.tree
-    scope: dict[str, Any] = {}
-    texts = [f"buffer[start + whole({k}) * step]" for k in range(leaf_count(tree))]
-    lines = [*_PLACE, f"return {construct(tree, texts, scope)}"]
-    scope["whole"] = np.uint64
+    lines = [*_PLACE, "return load_tree(like, buffer, start, step, 0, -1)"]
+    scope = {"whole": np.uint64, "load_tree": load_tree}
     return function_of("like, buffer, row, width, lane", lines, scope)
 
 
@@ -243,101 +236,22 @@ def _compiled_piece(like: Any, buffer: Any) -> tuple[str, int]:
 
 @compiler_rule(load)
 def _load(like: Any, buffer: Any, width: Any, lane: Any) -> Any:
-    scope: dict[str, Any] = {"whole": np.uint64, "get_leaf": _get_leaf}
     name, row = _compiled_piece(like, buffer)
-    places = range(leaf_count(like.tree))
-    texts = [f"get_leaf({name}, start + whole({row + k}) * step, {like.row + k})" for k in places]
-    lines = [*_KNOWN, f"return {construct(like.tree, texts, scope)}"]
-    return function_of("like, buffer, width, lane", lines, scope)
+    found = f"load_tree(like, {name}, start, step, {row}, {like.row})"
+    scope = {"whole": np.uint64, "load_tree": load_tree}
+    return function_of("like, buffer, width, lane", [*_KNOWN, f"return {found}"], scope)
 
 
 @compiler_rule(store)
 def _store(tree: Any, like: Any, buffer: Any, width: Any, lane: Any) -> Any:
-    lines = [*_KNOWN]
     name, row = _compiled_piece(like, buffer)
-    row = like.row - row  # of the piece, were it whole
-    place = f"set_leaf({name}, start + (whole({{row}}) - whole({row})) * step, {{row}}, {{leaf}})"
-    _lay(tree, "tree", like.row, lines, "", place)
-    scope = {"whole": np.uint64, "set_leaf": _set_leaf}
-    return function_of("tree, like, buffer, width, lane", [*lines, "return None"], scope)
-
-
-def _element(context: Any, builder: Any, typ: Any, buffer: Any, place: Any) -> Any:
-    """Pointer to an element of a one-dimensional array."""
-    data = context.make_array(typ)(context, builder, buffer).data
-    return builder.gep(data, [place], inbounds=True)
-
-
-def _tag_row(builder: Any, access: Any, row: int) -> Any:
-    """Mark a load or store as touching one row only (LLVM: type-based alias analysis)."""
-    module = builder.module
-    root = module.add_metadata([ir.MetaDataString(module, "springback rows")])
-    zero = ir.Constant(ir.IntType(64), 0)
-    own = module.add_metadata([ir.MetaDataString(module, f"row {row}"), root, zero])
-    access.set_metadata("tbaa", module.add_metadata([own, own, zero]))
-    return access
-
-
-@_numba.intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
-def _get_leaf(typing_context: Any, buffer: Any, place: Any, row: Any) -> Any:
-    """An element of a row of a buffer."""
-
-    def lower(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        pointer = _element(context, builder, signature.args[0], *arguments[:2])
-        return _tag_row(builder, builder.load(pointer), row.literal_value)
-
-    return types.float64(buffer, types.uint64, row), lower
-
-
-@functools.cache
-def _has_slow_masks() -> bool:
-    """True if a masked store is slower than a select and a store: without AVX-512."""
-    return not binding.get_host_cpu_features().get("avx512f")
-
-
-def _freeze(builder: Any, leaf: Any) -> Any:
-    """The same number, hidden from the optimiser, which might see that it is already stored.
-
-    Otherwise it makes one masked store out of a select and a store.
-    """
-    frozen = ir.instructions.Instruction(builder.block, leaf.type, "freeze", (leaf,))
-    builder._insert(frozen)  # llvmlite prints this instruction, but has no method for it
-    return frozen
-
-
-@_numba.intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
-def _set_leaf(typing_context: Any, buffer: Any, place: Any, row: Any, leaf: Any) -> Any:
-    """Store a number in a row of a buffer."""
-
-    def lower(context: Any, builder: Any, signature: Any, arguments: Any) -> Any:
-        pointer = _element(context, builder, signature.args[0], *arguments[:2])
-        leaf = _freeze(builder, arguments[3]) if _has_slow_masks() else arguments[3]
-        _tag_row(builder, builder.store(leaf, pointer), row.literal_value)
-        return context.get_dummy_value()
-
-    return types.void(buffer, types.uint64, row, types.float64), lower
+    lines = [*_KNOWN, f"store_tree(tree, {name}, start, step, {row}, {like.row})", "return None"]
+    scope = {"whole": np.uint64, "store_tree": store_tree}
+    return function_of("tree, like, buffer, width, lane", lines, scope)
 
 
 @compiler_rule(write)
 def _write(tree: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
-    lines = [*_PLACE]
-    _lay(tree, "tree", 0, lines, "", "buffer[start + whole({row}) * step] = {leaf}")
-    scope = {"whole": np.uint64}
-    return function_of("tree, buffer, row, width, lane", [*lines, "return None"], scope)
-
-
-def _lay(tree: Any, stem: str, first: int, lines: list[str], indent: str, place: str) -> int:
-    """Append lines that store a tree in a buffer from row ``first`` on; return the next row."""
-    if not isinstance(tree, types.BaseTuple):
-        lines.append(indent + place.format(row=first, leaf=stem))
-        return first + 1
-    for k, branch in enumerate(branches(tree)):
-        if k == 1 and is_named(tree, Rarely):
-            lines.append(f"{indent}if {stem}[0] > 0.5:")
-            indent += "    "
-        inner = f"{stem}[{k}]"
-        if isinstance(branch, types.BaseTuple):  # extracted once: see `leaf_sources`
-            lines.append(f"{indent}{stem}_{k} = {inner}")
-            inner = f"{stem}_{k}"
-        first = _lay(branch, inner, first, lines, indent, place)
-    return first
+    lines = [*_PLACE, "store_tree(tree, buffer, start, step, 0, -1)", "return None"]
+    scope = {"whole": np.uint64, "store_tree": store_tree}
+    return function_of("tree, buffer, row, width, lane", lines, scope)

@@ -8,26 +8,15 @@ on plain objects; when compiled, the tree's type is known and straight-line code
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-from typing import Any, NamedTuple, TypeVar
+from typing import Any, TypeVar
 
 from numba import types
 
-from springback.kernels.bits import select_scalar
 from springback.kernels.compiler import GUARDING, compiler_rule
+from springback.kernels.tree_code import axpy_tree, branches, leaf_types, select_tree
 
 T = TypeVar("T")
 R = TypeVar("R")
-
-
-class Rarely(NamedTuple):
-    """A part of a memory that is usually returned unchanged.
-
-    Compiled code stores it in a buffer only where it is new: copying it would often cost more than
-    the rest of a kernel.
-    """
-
-    new: float  # 1 if the tree may differ from the one that was read; 0 only if it does not
-    tree: Any
 
 
 # -- plain Python ---------------------------------------------------------------------------------
@@ -173,11 +162,6 @@ def select(claim: bool, a: T, b: T) -> T:
 # -- the same, generated for the compiler from the tree's type ------------------------------------
 
 
-def branches(tree: Any) -> list[Any]:
-    """Types of the branches of a tree's type."""
-    return [tree.types[k] for k in range(len(tree))]
-
-
 def leaf_sources(tree: Any, stem: str, lines: list[str]) -> list[str]:
     """Source text of every leaf, after lines that give each branch a name.
 
@@ -291,13 +275,7 @@ def _replace_fields(tree: Any, **fields: Any) -> Any:
 @compiler_rule(select)
 def _pick(claim: Any, a: Any, b: Any) -> Any:
     """Select leaf by leaf: a branch between trees would compile to one between addresses."""
-    if not isinstance(a, types.BaseTuple):
-        return lambda claim, a, b: select_scalar(claim, a, b)
-    lines: list[str] = []
-    pairs = zip(leaf_sources(a, "a", lines), leaf_sources(b, "b", lines), strict=True)
-    scope: dict[str, Any] = {"select_scalar": select_scalar}
-    text = construct(a, [f"select_scalar(claim, {one}, {other})" for one, other in pairs], scope)
-    return function_of("claim, a, b", [*lines, f"return {text}"], scope)
+    return lambda claim, a, b: select_tree(a, b, claim)
 
 
 def _fold(sign: str) -> Callable[[Any], Any]:
@@ -317,6 +295,8 @@ compiler_rule(maximum)(_fold(">"))
 @compiler_rule(axpy_strictly, GUARDING)
 @compiler_rule(axpy)
 def _along(x: Any, rate: Any, h: Any) -> Any:
+    if {h, *leaf_types(x), *leaf_types(rate)} == {types.float64}:
+        return lambda x, rate, h: axpy_tree(x, rate, h)
     lines: list[str] = []
     pairs = zip(leaf_sources(x, "x", lines), leaf_sources(rate, "rate", lines), strict=True)
     scope: dict[str, Any] = {}

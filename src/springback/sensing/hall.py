@@ -14,7 +14,8 @@ from typing import Any, NamedTuple
 from springback.kernels.angles import floor
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.layout import TreeLayout, load, read, store
-from springback.kernels.trees import Rarely, field_of, maximum, select, tree_map
+from springback.kernels.tree_code import Rarely
+from springback.kernels.trees import field_of, maximum, select, tree_map
 from springback.kernels.vectors import within
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Pace, Truth, due

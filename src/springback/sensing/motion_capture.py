@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.layout import TreeLayout, load, store
-from springback.kernels.trees import Rarely, select
+from springback.kernels.tree_code import Rarely
+from springback.kernels.trees import select
 from springback.kernels.vectors import Quat, Vec, normalise, quaternion_rate
 from springback.sensing.clock import draws
 from springback.sensing.measurement import Pace, Pose, Truth, due

@@ -33,7 +33,7 @@ from springback.kernels.gpu.nvptx import (
 )
 from springback.kernels.kernel_cache import load_program, save_program
 from springback.kernels.layout import TreeLayout, TreeLayoutType
-from springback.kernels.trees import branches
+from springback.kernels.tree_code import branches
 
 _Pointer: Any = types.CPointer
 _tuple_type: Any = types.BaseTuple.from_types

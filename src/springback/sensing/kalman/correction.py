@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import Rarely, axpy, minimum, tree_map, tree_sum
+from springback.kernels.tree_code import Rarely
+from springback.kernels.trees import axpy, minimum, tree_map, tree_sum
 from springback.kernels.vectors import (
     Mat3,
     Quat,

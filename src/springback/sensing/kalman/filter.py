@@ -17,7 +17,8 @@ the correction of the rotation, some 1e-3.
 from __future__ import annotations
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import Rarely, maximum
+from springback.kernels.tree_code import Rarely
+from springback.kernels.trees import maximum
 from springback.kernels.vectors import (
     Quat,
     Vec,

@@ -7,7 +7,7 @@ import math
 from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import Rarely
+from springback.kernels.tree_code import Rarely
 from springback.kernels.vectors import ZERO, Quat, Vec, rotation
 from springback.sensing.kalman.covariance import Covariance, diagonal_covariance
 from springback.sensing.measurement import Estimate
