@@ -28,7 +28,7 @@ from numba.core.errors import NumbaError
 from numba.extending import register_jitable
 
 from springback.kernels.kernel_cache import KernelCache
-from springback.kernels.pipeline import CompilerForLanes
+from springback.kernels.pipeline import LaneCompiler
 
 #: Part of numba without type stubs.
 _overload: Any = numba.extending.overload
@@ -42,7 +42,7 @@ R = TypeVar("R", covariant=True)
 #: (simulation.executor).
 FINITE = {"nnan", "ninf", "nsz"}
 _COMMON: dict[str, Any] = {
-    "error_model": "numpy", "no_cfunc_wrapper": True, "pipeline_class": CompilerForLanes,
+    "error_model": "numpy", "no_cfunc_wrapper": True, "pipeline_class": LaneCompiler,
 }  # fmt: skip
 #: Kernels hold floats only: compiling them without reference counting is one seventh faster.
 _UNCOUNTED: dict[str, Any] = {"forceinline": True, "_nrt": False, **_COMMON}

@@ -85,7 +85,7 @@ def _is_idle(step: Any, state: Any) -> bool:
     return step in _IDLE
 
 
-class CompilerForLanes(_Compiler):  # type: ignore[misc]
+class LaneCompiler(_Compiler):  # type: ignore[misc]
     """The compiler of kernels and of entry points."""
 
     def define_pipelines(self) -> list[Any]:
