@@ -228,6 +228,11 @@ def test_a_grid_counts_its_points_and_draws_what_has_no_levels() -> None:
     assert len(set(factor.tolist())) == 30
 
 
+def test_a_speed_needs_a_run_up_and_says_so() -> None:
+    with pytest.raises(InputError, match="'speed' needs a reference of type run-up"):
+        lay_out(plan(vary=[{"field": "speed", "from": 1.0, "to": 2.0}]))
+
+
 def test_robots_replace_a_vehicle_of_the_users_own() -> None:
     """All of it; the changes to a preset are kept for each."""
     own = scenario_from({"vehicle": "arq"}).vehicle.model_dump() | {"name": "mine"}

@@ -188,7 +188,7 @@ def number_at(
         if key not in fields:
             near = nearest_name(key, [*fields, *known])
             if near == key:  # a short name that needs more than this scenario has
-                raise InputError(f"{name}: needs a reference of type run-up")
+                raise InputError(f"{name}: {key!r} needs a reference of type run-up")
             hint = f"did you mean {near}?" if near else f"known here: {', '.join(fields)}"
             raise InputError(f"{name}: unknown parameter {key!r}; {hint}")
         field, others = fields[key], ()
