@@ -29,7 +29,7 @@ function paint(pen, element, origin, swatch = null) {
   pen.font = `${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
   pen.textBaseline = "middle";
   pen.fillStyle = style.color;
-  pen.fillText(element.textContent, from, y + box.height / 2 + 1);
+  pen.fillText(element.textContent, from, y + box.height / 2 + 1, x + box.width - from);
 }
 
 /**

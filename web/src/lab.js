@@ -6,6 +6,7 @@ import { createControls } from "./lab_controls.js";
 import { createQueue } from "./lab_queue.js";
 import { createLabPlots } from "./lab_plots.js";
 import { createLabSweep } from "./lab_sweep.js";
+import { createFullScreen } from "./full_screen.js";
 import { createLabTable } from "./lab_table.js";
 import { choice, create } from "./elements.js";
 import { createPlayer } from "./player.js";
@@ -52,6 +53,10 @@ export function startLab(element, data) {
     if (answer) drawPlots();
   });
 
+  const fullScreen = createFullScreen(() => middle, () => say(["This browser refuses full screen."]));
+  const middle = create("div", { class: "middle" },
+    create("div", { class: "frame" }, stage, create("div", { class: "views" }, cameras, compare, fullScreen.button), preparing), bar, tableBox);
+
   element.classList.add("lab");
   element.replaceChildren(
     create("header", { class: "top" },
@@ -59,15 +64,14 @@ export function startLab(element, data) {
       create("div", { class: "actions" }, pin, reset, files, create("span", { class: "linking" }, link, copy))),
     create("main", {},
       create("aside", { class: "settings", id: "settings" }, controls.element, took),
-      create("div", { class: "middle" },
-        create("div", { class: "frame" }, stage, create("div", { class: "views" }, cameras, compare), preparing), bar, tableBox),
+      middle,
       create("aside", { class: "curves" }, sweepBox, create("div", { class: "plot-head" }, timeHead, lock, spans), plotBox)),
     drawer,
   );
 
   const scene = createScene(stage, { onCamera: (mode) => cameras.mark(mode) });
   const plots = createLabPlots(plotBox, { onSeek: (t) => (player.pause(), player.seek(t)) });
-  const player = createPlayer({ scene, plots: { show: plots.show, replace: () => drawPlots() }, bar });
+  const player = createPlayer({ scene, plots: { show: plots.show, replace: () => drawPlots() }, bar, actions: { f: fullScreen.toggle } });
   const table = createLabTable(tableBox);
   const sweep = createLabSweep(sweepBox, {
     choices: data.sweeps, table: data.controls, page, isShown: controls.isShown, onPick: controls.pick,

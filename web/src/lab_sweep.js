@@ -107,7 +107,12 @@ export function createLabSweep(element, { choices, table, page, isShown, onPick,
   }
 
   function tell() {
-    note.textContent = shown.refused ? `${shown.refused} of ${shown.at.length * Object.keys(shown.labels).length} points cannot be flown: ${shown.why}.` : `${shown.at.length} flights for each robot in ${shown.took.toFixed(0)} ms. A click sets the value.`;
+    const refused = shown.refusals.reduce((sum, one) => sum + one.count, 0);
+    const labels = Object.keys(shown.labels).length > 1 ? shown.labels : {};
+    const round = (x) => Number(x.toPrecision(3));
+    const reasons = shown.refusals.map(({ robot, from, to, why }) =>
+      ` ${labels[robot] ? `${labels[robot]}, ` : ""}${from === to ? "" : `${round(from)} to `}${round(to)} ${controlOf(shown.of).unit}: ${why}.`);
+    note.textContent = refused ? `${refused} of ${shown.at.length * Object.keys(shown.labels).length} points cannot be flown.${reasons.join("")}` : `${shown.at.length} flights for each robot in ${shown.took.toFixed(0)} ms. A click sets the value.`;
   }
 
   function clear(words) {

@@ -69,7 +69,7 @@ function chosen(flights, names) {
   const curves = names.flatMap((name, j) => flights.flatMap((flight) => {
     const signal = flight.signals.get(name);
     if (!signal) return [];
-    const { t, values, held } = signal;
+    const { t, shown: values, held } = signal;
     const index = several && names.length === 1 ? flight.index : j;
     return [{
       name: !several ? name : names.length === 1 ? flight.label : `${flight.label}, ${name}`,

@@ -22,9 +22,13 @@ export const format = (value) => {
   if (size < 5e-4) return "0";
   return value.toFixed(size < 1 ? 3 : size < 10 ? 2 : size < 100 ? 1 : 0);
 };
-/** As many digits as a plot of this height shows. */
+/** As many decimals as tell this share of a plot's height, and no more digits than these. */
+const SHARE = 5e-3;
+const MOST_DIGITS = 5;
+/** A number with the decimals that a plot with these limits shows. */
 function fine(value, [low, high]) {
-  const digits = Math.max(0, Math.ceil(-Math.log10(1e-3 * (high - low || 1))));
+  const power = (size) => Math.floor(Math.log10(size || 1));
+  const digits = Math.max(0, Math.min(Math.round(-Math.log10(SHARE * (high - low || 1))), MOST_DIGITS - 1 - power(Math.max(Math.abs(low), Math.abs(high)))));
   if (digits > 6 || Math.abs(value) >= 1e6) return value === 0 ? "0" : value.toExponential(3);
   return value.toFixed(digits).replace(/^-(0(\.0*)?)$/, "$1");
 }
@@ -70,6 +74,7 @@ export function createPlots(element, { onSeek = () => {}, onZoom = () => {}, onE
           .forEach(([k, v]) => line.setAttribute(k, v));
         swatch.append(line);
         const value = create("b");
+        value.style.setProperty("--colour", curve.colour);
         keys.append(create("span", { class: "plot-key" }, swatch, create("span", {}, curve.name), value));
         return value;
       });

@@ -3,6 +3,7 @@ import { createCapture } from "./capture.js";
 import { createChooser } from "./chooser.js";
 import { choice, create, icon, toggle } from "./elements.js";
 import { hasEstimate, touchOf } from "./flight.js";
+import { createFullScreen } from "./full_screen.js";
 import { createLink } from "./link.js";
 import { allSignals, plotsOf, standardPanels, textOf } from "./panels.js";
 import { createPlayer } from "./player.js";
@@ -113,10 +114,11 @@ export function startReplay(element, data) {
     create("form", { method: "dialog" }, create("button", { class: "main" }, "Close")));
   const tool = (name, label, act, key) => create("button", { type: "button", class: `tool tool-${name}`, title: `${label}${key ? ` (${key})` : ""}`, "aria-label": label, onclick: act }, icon(name));
   const filmButton = tool("film", "Record a film from here", () => capture.film());
+  const left = create("div", { class: "left" }, stage, bar);
+  const fullScreen = createFullScreen(() => left, () => say("This browser refuses full screen."));
   const tools = create("div", { class: "tools" },
     tool("link", "Copy a link to this instant and view", copyLink, "L"), tool("picture", "Save a picture", () => capture.picture(), "P"), filmButton,
-    ...(document.fullscreenEnabled ? [tool("full", "Full screen", fullScreen, "F")] : []), tool("help", "Keys and mouse", () => keysBox.showModal(), "?"));
-  const left = create("div", { class: "left" }, stage, bar);
+    fullScreen.button, tool("help", "Keys and mouse", () => keysBox.showModal(), "?"));
 
   async function copyLink() {
     const address = link.address();
@@ -128,14 +130,9 @@ export function startReplay(element, data) {
     }
   }
 
-  function fullScreen() {
-    if (document.fullscreenElement) document.exitFullscreen();
-    else left.requestFullscreen().catch(() => say("This browser refuses full screen."));
-  }
-
   const views = Object.fromEntries(Object.entries(CAMERA_KEYS).map(([key, mode]) => [key, () => scene.setCamera(mode)]));
   const actions = {
-    ...views, f: fullScreen, p: () => capture.picture(), l: copyLink, "?": () => keysBox.showModal(),
+    ...views, f: fullScreen.toggle, p: () => capture.picture(), l: copyLink, "?": () => keysBox.showModal(),
     e: () => switches.estimate?.click(), Escape: () => plots.back(),
   };
 

@@ -18,7 +18,9 @@ function columnsOf(table, n) {
 }
 
 /**
- * Signals by name: {name, unit, group, held, words, t, values}; a table is unpacked at its first use.
+ * Signals by name: {name, unit, group, held, words, t, values, shown}; a table is unpacked at its first use.
+ *
+ * values are in SI; shown are those in the unit in which they are shown.
  *
  * Telemetry is held from tick to tick; words are those of the values 0, 1, ….
  */
@@ -29,11 +31,16 @@ export function signalsOf(tables) {
     const table = tables[clock];
     const t = new Float64Array(bytesOf(table.t.data).buffer);
     let columns = null;
-    table.columns.forEach(({ name, unit, group }, k) => found.set(name, {
+    const scaled = [];
+    table.columns.forEach(({ name, unit, factor, group }, k) => found.set(name, {
       name, unit, group, t, held: clock === "telemetry", words: tables.words[name],
       get values() {
         columns ??= columnsOf(table, t.length);
         return columns[k];
+      },
+      get shown() {
+        scaled[k] ??= factor === 1 ? this.values : this.values.map((value) => factor * value);
+        return scaled[k];
       },
     }));
   }

@@ -315,6 +315,24 @@ def test_a_scenario_of_ones_own_is_changed_swept_and_refused(browser: Any, tmp_p
         browser.execute_script(move, "change")
         until(lambda: browser.execute_script(scale)[1] < grown[1], "the scale of a slow flight")
 
+        browser.find_element(ID, "set-beside").click()
+        browser.find_element(CSS, "#set-beside option[value=twin]").click()
+        names = "return [...document.querySelectorAll(arguments[0])].map((one) => one.textContent)"
+        both = ["Mine", "Mine, rigid"]
+        for place in (".scene-legend .robot", ".measures thead th:not(:empty)", ".outcome b"):
+            until(lambda place=place: browser.execute_script(names, place) == both, place)
+        for width in (390, 1440):
+            resized(browser, width, 844)
+            browser.find_element(CSS, ".tool-full").click()
+            leave = "[aria-label='Leave full screen']"
+            until(lambda leave=leave: browser.find_elements(CSS, leave), "full screen")
+            tall = "return document.querySelector('.middle').clientHeight"
+            until(lambda tall=tall: browser.execute_script(tall) == 844, "all of the screen")
+            assert browser.find_element(CSS, ".player").is_displayed()
+            browser.find_element(CSS, leave).click()
+            until(lambda leave=leave: not browser.find_elements(CSS, leave), "the way back")
+        resized(browser, 1000, 700)
+
         slide(browser, "cage_radius", 1000)
         control = browser.find_element(CSS, "[data-name=cage_radius]")
         until(lambda: "cages overlap" in control.text, "the reason")

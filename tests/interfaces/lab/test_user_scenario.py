@@ -377,8 +377,12 @@ def test_a_sweep_passes_through_the_flights_of_the_page(file: Path) -> None:
 def test_points_of_a_sweep_that_cannot_be_flown_are_gaps_with_the_reason(file: Path) -> None:
     swept = sweep_answer(sweep_of(setting(table_of(file), mode="impact"), "cage_radius"))
     peaks = swept["measures"]["impact_peak_acceleration"]["mine"]
-    assert 0 < swept["refused"] == peaks.count(None) < POINTS
-    assert "lets its cage meet that of arm 2" in swept["why"]
+    [refusal] = swept["refusals"]
+    assert 0 < refusal["count"] == peaks.count(None) < POINTS
+    assert refusal["robot"] == "mine"
+    assert refusal["from"] == swept["at"][-refusal["count"]]
+    assert refusal["to"] == swept["at"][-1]
+    assert "lets its cage meet that of arm 2" in refusal["why"]
     assert peaks[-1] is None is not peaks[0]
 
 

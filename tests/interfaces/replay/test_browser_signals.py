@@ -74,6 +74,11 @@ def shown(driver: Any) -> dict[str, dict[str, Any]]:
     return {plot["name"]: plot for plot in found}
 
 
+def value_of(key: Any) -> Any:
+    """Number in the legend of a plot."""
+    return key.find_element("css selector", "b")
+
+
 def picture_of(blob: str) -> str:
     """JavaScript that stores the next file handed to the user as base64 in `window.saved`."""
     return f"""
@@ -203,6 +208,31 @@ def test_five_flights_have_names_and_can_be_hidden(clean: Any, flights: list[Fli
     ).replace(",", "%2C")
     forces.click()
     assert "contact force" in legend.text
+    resized(driver, 390, 844)
+    names = driver.find_elements("css selector", ".scene-legend .robot")
+    assert [name.text for name in names if name.is_displayed()] == NAMES
+    driver.find_element("css selector", ".tool-full").click()
+    until(lambda: driver.find_element("css selector", ".left").size["height"] == 844)
+    stage, player = (
+        driver.find_element("css selector", one).size["height"] for one in (".stage", ".player")
+    )
+    assert stage + player == pytest.approx(844, abs=2)  # no empty stripe
+    leave = "[aria-label='Leave full screen']"
+    until(lambda: bool(driver.find_elements("css selector", leave)))
+    driver.find_element("css selector", leave).click()
+    until(lambda: driver.execute_script("return !document.fullscreenElement"))
+    resized(driver, 1000, 720)
+    driver.execute_script("window.springback.plots.choose([['l1']])")
+    keys = driver.find_elements("css selector", ".plot-key")
+    assert [key.text.split()[0] for key in keys] == NAMES
+    assert len({value_of(key).value_of_css_property("color") for key in keys}) == len(flights)
+    length = shown(driver)["l1"]
+    assert length["unit"] == "mm"
+    for name, flight in nonempty(zip(NAMES, flights, strict=True)):
+        wanted = 1e3 * np.interp(flight.touch_time, flight.columns["t"], flight.columns["l1"])
+        assert float(length["values"][name]) == pytest.approx(wanted, abs=0.06)
+        assert len(length["values"][name].partition(".")[2]) == 1
+    driver.execute_script("window.springback.plots.choose(null)")
     buttons[1].click()
     assert [b.get_attribute("aria-pressed") for b in buttons] == [
         "true", "false", "true", "true", "true",

@@ -80,6 +80,10 @@ def test_units_and_groups_say_what_a_column_is(recovery: Flight, scene: Scene) -
     assert (heads["ax"]["unit"], heads["ax"]["group"]) == ("m/s²", "Acceleration")
     assert heads["fn_body"]["group"] == "Contact force, normal"
     assert heads["pitch"]["unit"] == heads["est_yaw"]["unit"] == "deg"
+    for name in ("l1", "hall1"):  # as the compression
+        assert (heads[name]["unit"], heads[name]["factor"]) == ("mm", 1e3)
+    assert (heads["x"]["unit"], heads["x"]["factor"]) == ("m", 1.0)
+    assert heads["phase"]["unit"] == ""
     assert [name for name, head in heads.items() if head["group"] == "Others"] == []
     assert group_of("thermometer") == "Others"
     assert set(GROUPS) >= {head["group"] for head in heads.values()}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 import textwrap
 from collections.abc import Sequence
 from typing import Any
@@ -51,8 +52,9 @@ def label(scale: Scale) -> str:
 
 
 def in_words(name: str) -> str:
-    """Name of a column, with spaces."""
-    return name.replace("_", " ")
+    """Name of a column, with spaces; components by axis: ``start.velocity[0]`` is velocity x."""
+    axis = re.compile(r"(?:start\.)?\b(position|velocity|offset)\[([012])\]")
+    return axis.sub(lambda found: f"{found[1]} {'xyz'[int(found[2])]}", name.replace("_", " "))
 
 
 def measure_label(measure: MeasureColumn, unit: DisplayUnit) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Iterator, Sequence
 
 import numpy as np
@@ -24,6 +25,8 @@ from springback.studies.roc import RocPoint
 
 WIDE = 1.55 * WIDTH
 """Width of a figure with a column for each trigger [in]."""
+WIDEST = 18
+"""Names of robots are wrapped if longer than this [characters]."""
 TRIGGERS = {
     "hall": ("Hall", 1e3, "Compression [mm]"),
     "acceleration": ("accelerometer", 1.0, "Specific force [m/s²]"),
@@ -38,13 +41,14 @@ as the refractory time of 1 s permits."""
 
 def _height(results: DetectionResults) -> float:
     """Height of a figure with a row for each robot [in]."""
-    return 0.6 + 1.9 * len(results.robots)
+    lines = sum(_title(robot, "").count("\n") for robot in results.robots)
+    return 0.6 + 1.9 * len(results.robots) + 0.12 * lines
 
 
 def _title(robot: str, what: str) -> str:
-    """Title of a panel, in two lines if the robot's name is long."""
+    """Title of a panel, in several lines if the robot's name is long."""
     name = robot_label(robot)
-    return f"{name}:\n{what}" if len(name) > 6 else f"{name}: {what}"
+    return f"{textwrap.fill(name, WIDEST)}:\n{what}" if len(name) > 6 else f"{name}: {what}"
 
 
 def _charts(
@@ -182,7 +186,7 @@ def direction_figure(results: DetectionResults) -> Figure:
             ax.yaxis.set_major_formatter("{x:g}")
             ax.yaxis.set_minor_formatter(NullFormatter())
             ax.set_xticks(range(len(SOURCES)), SHORT)
-        _legend(figure)
+    _legend(figure)
     return figure
 
 

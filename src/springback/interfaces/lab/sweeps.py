@@ -8,8 +8,10 @@ from __future__ import annotations
 
 import os
 import time
+from collections.abc import Iterator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import partial
+from itertools import groupby
 from typing import Any, NamedTuple
 
 from springback.errors import InputError
@@ -28,6 +30,8 @@ POINTS = 33
 THREADS = 4
 #: Settings that are not numbers of a kind: each value would be compiled.
 NOT_SWEPT = ("arm_count",)
+
+_Measures = dict[str, float | None]
 
 
 class Sweep(NamedTuple):
@@ -90,7 +94,7 @@ def points(control: SliderControl) -> list[float]:
 def sweep_answer(sweep: Sweep) -> dict[str, Any]:
     """Measures of all robots at the points of a sweep, as plain data for JSON; null if undefined.
 
-    Points that the scenario's checks refuse are null, too; the first reason is given.
+    Points that the scenario's checks refuse are null, too; see `_refusals`.
     """
     begun, settings = time.perf_counter(), sweep.settings
     control = control_of(sweep.of, type(settings))
@@ -99,7 +103,6 @@ def sweep_answer(sweep: Sweep) -> dict[str, Any]:
     with ThreadPoolExecutor(min(os.cpu_count() or 1, THREADS)) as pool:
         fly_at = partial(_point, settings, sweep.of)
         flown = {robot: list(pool.map(partial(fly_at, robot), at)) for robot in robots}
-    refused = [one for row in flown.values() for one in row if isinstance(one, str)]
     return {
         "query": query_of(settings),
         "of": sweep.of,
@@ -112,15 +115,24 @@ def sweep_answer(sweep: Sweep) -> dict[str, Any]:
             }
             for one in IMPACT
         },
-        "refused": len(refused),
-        "why": refused[0] if refused else "",
+        "refusals": [
+            {"robot": robot, **one} for robot, row in flown.items() for one in _refusals(at, row)
+        ],
         "took": round(1e3 * (time.perf_counter() - begun), 1),
     }
 
 
-def _point(
-    settings: LabSettings, of: str, robot: str, value: float
-) -> dict[str, float | None] | str:
+def _refusals(at: Sequence[float], row: Sequence[_Measures | str]) -> Iterator[dict[str, Any]]:
+    """Stretches of points that cannot be flown, each with the reason at its end beside others."""
+    for refused, run in groupby(range(len(at)), lambda k: isinstance(row[k], str)):
+        places = list(run)
+        first, last = places[0], places[-1]
+        if refused:
+            why = row[last if first == 0 else first]
+            yield {"from": at[first], "to": at[last], "count": len(places), "why": why}
+
+
+def _point(settings: LabSettings, of: str, robot: str, value: float) -> _Measures | str:
     """Measures with one setting changed, or the reason why that cannot be flown."""
     try:
         given = lab_scenario(settings.with_checked(**{of: value}), robot)

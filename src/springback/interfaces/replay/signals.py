@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.frames import euler_from_attitude
+from springback.interfaces.output.quantities import DisplayUnit, display_unit
 from springback.interfaces.replay.scene import Scene
 from springback.recovery.state_machine import PHASES
 from springback.results.flight import Flight
@@ -55,6 +56,8 @@ GROUPS = {
     "Recovery: goal, impact": "goal_.*|force_.*|moment_.*|hit_.*",
     "Others": ".*",
 }
+#: Groups of lengths of arms.
+IN_MILLIMETRES = ("Arm length", "Hall sensors: arm length")
 
 
 class SignalTable(NamedTuple):
@@ -69,6 +72,16 @@ class SignalTable(NamedTuple):
 def group_of(name: str) -> str:
     """Group of a column."""
     return next(group for group, names in GROUPS.items() if re.fullmatch(names, name))
+
+
+def shown_unit(name: str, unit: str) -> DisplayUnit:
+    """Unit in which a column of an SI unit is shown: lengths of arms in mm, as their compression.
+
+    The symbol of a column without unit is empty.
+    """
+    if unit == "m" and group_of(name) in IN_MILLIMETRES:
+        return DisplayUnit("mm", 1e3)
+    return display_unit(unit) if unit else DisplayUnit("", 1.0)
 
 
 def signal_tables(flight: Flight, scene: Scene) -> dict[str, SignalTable]:
@@ -102,7 +115,7 @@ def _ticks(t: Array, scene: Scene) -> tuple[Any, int]:
 
 def _table(flight: Flight, columns: Mapping[str, Array], at: Any, every: int) -> SignalTable:
     found = {name: values[at] for name, values in columns.items() if name != "t"}
-    units = {name: flight.units.get(name, "").replace("^2", "²") for name in found}
+    units = {name: flight.units.get(name, "") for name in found}
     for prefix in [name[:-2] for name in found if re.fullmatch(r"(\w+_)?qw", name)]:
         if not all(f"{prefix}q{part}" in found for part in "xyz"):  # of a foreign file
             continue
@@ -121,10 +134,10 @@ def plain_signals(flight: Flight, scene: Scene) -> dict[str, Any]:
     """Signals of a flight, and of its scene, as plain data for JSON.
 
     By clock, ``trajectory`` or ``telemetry``: ``t`` as in the scene; ``every``; ``columns``, each
-    with ``name``, ``unit``, ``group``, and ``low`` and ``step``, so that a value is low + step k;
-    ``data``, base64 of zlib of the columns in turn, each first the lower, then the upper bytes of
-    the differences of k from one instant to the next, modulo 65536.  ``words`` are words for the
-    values 0, 1, … of columns.
+    with ``name``, ``group``, the ``unit`` in which it is shown, ``factor`` from SI to that, and
+    ``low`` and ``step``, so that a value is low + step k; ``data``, base64 of zlib of the columns
+    in turn, each first the lower, then the upper bytes of the differences of k from one instant to
+    the next, modulo 65536. ``words`` are words for the values 0, 1, … of columns.
     """
     tables = {clock: _plain_table(table) for clock, table in signal_tables(flight, scene).items()}
     return {**tables, "words": {"phase": list(PHASES)}}
@@ -133,8 +146,9 @@ def plain_signals(flight: Flight, scene: Scene) -> dict[str, Any]:
 def _plain_table(table: SignalTable) -> dict[str, Any]:
     heads, parts = [], []
     for name, values, low, step, levels in _round_columns(table):
-        heads.append({"name": name, "unit": table.units[name], "group": group_of(name),
-                      "low": low, "step": step})  # fmt: skip
+        unit = shown_unit(name, table.units[name])
+        heads.append({"name": name, "unit": unit.symbol, "factor": unit.factor,
+                      "group": group_of(name), "low": low, "step": step})  # fmt: skip
         steps = np.diff(levels, prepend=0).astype("<u2")  # modulo 65536
         parts.append(steps.view(np.uint8).reshape(len(values), 2).T.tobytes())
     text = base64.b64encode(zlib.compress(b"".join(parts), 9)).decode("ascii")

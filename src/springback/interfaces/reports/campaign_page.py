@@ -16,7 +16,7 @@ from springback.campaign.analysis.statistics import Summary
 from springback.interfaces.figures import campaign as figures
 from springback.interfaces.figures import measures as measure_figures
 from springback.interfaces.figures import style
-from springback.interfaces.output.robots import with_labels
+from springback.interfaces.output.robots import robot_label, with_labels
 from springback.interfaces.reports.measures import MeasureReport
 from springback.interfaces.reports.outcomes import (
     distribution_table,
@@ -137,7 +137,9 @@ def _sections(
     confidence = {"confidence": 100 * CONFIDENCE}
     success, replays = reports[0], failures(found.campaign)
     pictures = {block.name: block for block in drawn[0]}
-    shares = "; ".join(f"{_plain(one.robot)} {share_text(one.success)}" for one in found.robots)
+    shares = "; ".join(
+        f"{robot_label(one.robot)} {share_text(one.success)}" for one in found.robots
+    )
     refusal = success.sensitivity.refusal
     content: dict[str, Content] = {
         "overview": {
@@ -202,5 +204,6 @@ def _entries(head: list[str], rows: list[tuple[Any, ...]]) -> list[Sequence[Entr
 
 
 def _plain(text: str) -> str:
-    """Names for people: of robots, outcomes and units."""
-    return with_labels(re.sub(r"(?<=[a-z])_(?=[a-z])", " ", text).replace("^2", "²"))
+    """Names for people: of robots, fields, outcomes and units."""
+    words = re.sub(r"(?<=[a-z])_(?=[a-z])", " ", text).replace("^2", "²")
+    return with_labels(figures.in_words(words))

@@ -142,7 +142,7 @@ def fast_figure(sample: Sample) -> Figure:
         axes[2, 0].plot([], [], label="printed extremes", **PRINTED)
     figure.align_ylabels(axes[:, 0])
     handles, names = axes[2, 0].get_legend_handles_labels()
-    figure.legend(handles, names, loc="outside upper center", ncols=3)
+    figure.legend(handles, names, loc="outside upper center", ncols=3, columnspacing=1.0)
     return figure
 
 
