@@ -8,7 +8,9 @@ from __future__ import annotations
 from springback.results.hooks import provide as _provide
 from springback.version import __version__ as __version__
 
-TYPE_CHECKING = False  # not imported from typing: until Ctrl-C is handled, it shows a traceback
+# Not imported from typing: until Ctrl-C is handled, it shows a traceback.  The annotation keeps
+# Jedi (IPython, Jupyter, editors) from taking what follows for dead code.
+TYPE_CHECKING: bool = False
 if TYPE_CHECKING:
     from springback.campaign.access import Campaign as Campaign
     from springback.campaign.design.plan import Plan as Plan

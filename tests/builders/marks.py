@@ -5,6 +5,7 @@ A place is a folder, a file, or a test and all its parameters, below `tests`.
 
 BROWSER = (
     "interfaces/lab/test_browser_lab.py",
+    "interfaces/reports/test_browser_summary.py",
     "interfaces/replay/test_browser_signals.py",
     "interfaces/replay/test_browser_view.py",
     "interfaces/reproduction/test_pages.py::test_no_page_is_wider_than_the_screen",

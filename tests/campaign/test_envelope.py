@@ -191,7 +191,7 @@ def test_settings_hold_in_all_trials_and_axes_go_on_top() -> None:
         (("recovery.response.way=0:1:2",), "not a single number"),
         (("seed=0:1:2",), "--seed"),
         (("vehicle=0:1:2",), "--robot"),
-        (("air.wind.3=0:1:2",), "no entry 3"),
+        (("air.wind.3=0:1:2",), "the scenario has no air.wind[3]"),
     ],
 )
 def test_bad_axes_are_refused_in_one_line(words: tuple[str, ...], told: str) -> None:

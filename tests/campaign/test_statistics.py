@@ -179,8 +179,7 @@ def test_a_summary_says_why_flights_were_refused(campaign: Campaign) -> None:
 def test_captions_call_fields_by_words() -> None:
     said = words_of_map("wall_angle", "start.position[2]")
     assert (
-        said
-        == "Success rate over wall angle and start.position[2]; n is the number of flights in a cell."
+        said == "Success rate over wall angle and position z; n is the number of flights in a cell."
     )
 
 

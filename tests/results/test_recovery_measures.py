@@ -100,3 +100,21 @@ def test_a_flight_is_printed_in_degrees_and_measured_in_radians() -> None:
     assert re.search(r"^  nose_down +-$", repr(flight), re.M)
     assert flight.nose_up == math.radians(-28.6)
     assert flight.summary()["units"]["nose_up"] == "rad"
+
+
+def test_a_later_peak_and_a_bottomed_arm_are_explained() -> None:
+    """A large peak beside a small one of the first impact says when it was; otherwise nothing."""
+    scenario = scenario_from({"vehicle": "arq"})
+    measures = dict.fromkeys(MEASURES) | {
+        "impact_peak_acceleration": 148.0, "peak_acceleration": 1525.0,
+        "separation_time": 0.3, "peak_acceleration_time": 0.8, "bottomed_time": 0.79,
+    }  # fmt: skip
+    later = repr(Flight(scenario, Outcome.SEPARATED, measures, {}, {}))
+    assert re.search(
+        r"^  peak_acceleration +1525 m/s², at 0\.8 s: after the first impact", later, re.M
+    )
+    assert "an arm reached the end of its stroke at 0.79 s" in later
+    within = measures | {"peak_acceleration_time": 0.2, "bottomed_time": None}
+    same = repr(Flight(scenario, Outcome.SEPARATED, within, {}, {}))
+    assert "after the first impact" not in same
+    assert "stroke at" not in same

@@ -67,7 +67,8 @@ def test_numbers_are_found_where_they_are_and_where_they_would_be() -> None:
         (("start", "yow"), "did you mean yaw?"),
         (("spede",), "did you mean speed?"),
         (("start", "yaw", "rate"), "is not inside a table"),
-        (("start", "velocity", 3), "there is no entry 3"),
+        (("start", "velocity", 3), r"the scenario has no start.velocity\[3\]"),
+        (("world", "obstacles", 0, "distance"), r"the scenario has no world.obstacles\[0\]"),
     ],
 )
 def test_what_is_not_there_is_said(path: tuple[str | int, ...], said: str) -> None:

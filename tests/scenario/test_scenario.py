@@ -65,6 +65,21 @@ def test_overrides_apply_in_order_and_touch_nothing_else() -> None:
     assert BASE["vehicle"] == "arq"
 
 
+def test_an_override_of_the_attitude_replaces_the_other_notation() -> None:
+    """A file's angles give way to a quaternion, and a quaternion to angles; other keys remain."""
+    height = {"position": [0.0, 0.0, 2.0]}
+    turned = {**BASE, "start": {**height, "pitch": "10 deg", "yaw": "20 deg"}}
+    level = as_scenario(turned, ("start.quaternion=[1, 0, 0, 0]",)).start
+    assert level.quaternion == (1.0, 0.0, 0.0, 0.0)
+    assert level.position[2] == 2.0
+    upside_down = {**BASE, "start": {**height, "quaternion": [0.0, 1.0, 0.0, 0.0]}}
+    nose_down = as_scenario(upside_down, ("start.pitch=15 deg",)).start
+    assert nose_down.quaternion is None
+    assert nose_down.pitch == pytest.approx(math.radians(15.0))
+    with pytest.raises(InputError, match="cannot be combined with a pitch"):
+        as_scenario(BASE, ("start.pitch=15 deg", "start.quaternion=[1, 0, 0, 0]"))
+
+
 def test_a_preset_with_changes_keeps_the_rest() -> None:
     """`preset` beside other keys, in tables as in overrides."""
     tables = {**BASE, "vehicle": {"preset": "arq", "arms": {"stiffness": "6 N/mm"}}}

@@ -11,8 +11,9 @@ import pytest
 from click.testing import CliRunner
 
 from builders.cases import nonempty
+from interfaces.legible import complaints
 from springback.interfaces.cli.app import cli
-from springback.interfaces.figures.detection import direction_figure
+from springback.interfaces.figures.detection import delay_figure, direction_figure, roc_figure
 from springback.studies import detection
 from springback.studies.detection import (
     IN_TIME,
@@ -33,6 +34,8 @@ from springback.studies.detection_tables import (
     sizes,
 )
 from springback.studies.run_ups import ROBOTS, study_vehicles
+
+LONG = "hexarotor with long arms and a heavy battery"
 
 
 @pytest.fixture(scope="module")
@@ -129,19 +132,24 @@ def test_a_robot_of_one_s_own_flies_at_the_wall_and_is_drawn(
     tables = approach_tables(Approach("mine", 2.0, 0.0, 0.0, 0), mine, 0)
     assert tables["vehicle"]["hull"]["radius"] == "0.15 m"
     assert tables["reference"]["positions"][0][0] == pytest.approx(2.4 - 2.4)
-    named = [one._replace(name="mine") for one in study.vehicles if one.name == "arq"]
-    found = DetectionResults(
-        1, 0, tuple(named),
+    named = [one._replace(name=LONG) for one in study.vehicles if one.name == "arq"]
+    flown = (
         [
-            replace(one, approach=one.approach._replace(robot="mine"))
-            for one in study.collisions if one.approach.robot == "arq"
-        ],
-        free={"mine": study.free["arq"]}, alarms={"mine": study.alarms["arq"]},
-        free_on_momentum={"mine": study.free_on_momentum["arq"]},
+            replace(one, approach=one.approach._replace(robot=LONG))
+            for one in flights if one.approach.robot == "arq"
+        ]
+        for flights in (study.collisions, study.on_momentum)
     )  # fmt: skip
-    assert found.triggers("mine") == study.triggers("arq")
-    assert {row["robot"] for row in nonempty(delay_rows(found))} == {"mine"}
-    assert direction_figure(found).axes[0].get_title(loc="left").startswith("mine")
+    found = DetectionResults(
+        1, 0, tuple(named), *flown, free={LONG: study.free["arq"]},
+        alarms={LONG: study.alarms["arq"]}, free_on_momentum={LONG: study.free_on_momentum["arq"]},
+    )  # fmt: skip
+    assert found.triggers(LONG) == study.triggers("arq")
+    assert {row["robot"] for row in nonempty(delay_rows(found))} == {LONG}
+    assert direction_figure(found).axes[0].get_title(loc="left").startswith(LONG[:9])
+    for drawn in (roc_figure, delay_figure):
+        assert complaints(drawn(found)) == []
+    assert len(direction_figure(study).legends) == 1
 
 
 def test_tables_hold_every_flight(study: DetectionResults) -> None:

@@ -151,7 +151,23 @@ class FlightResult(FlightMeasures):
         lines = [f"Flight {self.scenario.name!r}: {self.outcome.word} ({self.message})"]
         shown = self.readable_measures()
         width = max(len(line.name) for line in shown)
-        return "\n".join([*lines, *(f"  {line.name:<{width}} {line.text}" for line in shown)])
+        whys = {"peak_acceleration": self._later_peak(), "impact_arm_stroke": self._bottomed()}
+        for line in shown:
+            lines.append(f"  {line.name:<{width}} {line.text}{whys.get(line.name, '')}")
+        return "\n".join(lines)
+
+    def _later_peak(self) -> str:
+        """When the largest acceleration was, if not in the first impact."""
+        when = self.measures.get("peak_acceleration_time")
+        left = self.measures.get("separation_time")
+        if when is None or left is None or when <= left:
+            return ""
+        return f", at {when:.4g} s: after the first impact, which ended at {left:.4g} s"
+
+    def _bottomed(self) -> str:
+        """When an arm reached the end of its stroke, if it did."""
+        when = self.measures.get("bottomed_time")
+        return "" if when is None else f"; an arm reached the end of its stroke at {when:.4g} s"
 
     def need_trajectory(self) -> None:
         """Raise an InputError if the trajectory was not recorded."""

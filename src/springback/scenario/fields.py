@@ -15,6 +15,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic_core import PydanticCustomError
 
 from springback.errors import InputError
+from springback.problems import dotted_path
 from springback.quantities import PerArm, Quadruple, Triple, Unit, number_in, si_number
 from springback.settings import Settings, nearest_name
 
@@ -170,10 +171,11 @@ def number_at(
     field: TableField | None = None
     node: Any = scenario
     others: tuple[Any, ...] = ()
-    for key in path:
+    for depth, key in enumerate(path):
         if isinstance(key, int):
             if not isinstance(node, tuple) or key >= len(node):
-                raise InputError(f"{name}: there is no entry {key}")
+                missing = dotted_path(path[: depth + 1])
+                raise InputError(f"{name}: the scenario has no {missing}")
             others, node = node, node[key]
             continue
         if isinstance(node, Mapping):  # arguments of a user's own shape

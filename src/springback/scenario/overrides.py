@@ -14,6 +14,9 @@ from springback.settings import Settings
 
 Key = str | int
 
+#: Two notations of the attitude at the start: an override in one replaces the file's in the other.
+_ANGLES = frozenset({"roll", "pitch", "yaw"})
+
 
 def _value(text: str) -> Any:
     """Value of an override: parsed as TOML if possible, else the text itself."""
@@ -30,7 +33,7 @@ def apply_overrides(given: dict[str, Any], overrides: Sequence[str]) -> dict[str
         InputError: For a word that is not ``key=value``, or that points into something that is not
             a table.
     """
-    result: Any = given
+    result: Any = _without_replaced(given, overrides)
     check_depth(given, "scenario")
     for word in overrides:
         if not isinstance(word, str):
@@ -52,6 +55,18 @@ def apply_overrides(given: dict[str, Any], overrides: Sequence[str]) -> dict[str
         result = with_value(_with_full_list(result, parts, word), parts, _value(text.strip()), word)
         check_depth(result, f"override {shown_value(word)}")
     return dict(result)
+
+
+def _without_replaced(given: dict[str, Any], overrides: Sequence[str]) -> dict[str, Any]:
+    """Raw tables without the attitude that overrides give in the other notation."""
+    start = given.get("start")
+    keys = {word.partition("=")[0].strip() for word in overrides if isinstance(word, str)}
+    replaced = _ANGLES if "start.quaternion" in keys else frozenset()
+    if any(f"start.{angle}" in keys for angle in _ANGLES):
+        replaced |= {"quaternion"}
+    if not isinstance(start, dict) or not replaced.intersection(start):
+        return given
+    return {**given, "start": {key: start[key] for key in start if key not in replaced}}
 
 
 def _with_full_list(given: Any, parts: Sequence[Key], word: str) -> Any:

@@ -17,6 +17,8 @@ from springback.sensing.library import ESTIMATORS
 from springback.settings import nearest_name
 from springback.vehicle.library import VEHICLES
 
+#: A surface of the user's own.
+_OWN_SURFACE = '{ preset = "wall", stiffness = 2e6, friction = 0.6 }'
 #: Position in the world.
 POSITION = Unit("m")
 
@@ -31,7 +33,10 @@ def preset(kind: str, name: str, known: Mapping[str, Any]) -> Any:
         return known[name]
     near = nearest_name(name, known)
     hint = f"did you mean {near}? " if near else ""
-    raise InputError(f"unknown {kind} preset {shown_value(name)}; {hint}known: {', '.join(known)}")
+    own = f"; or write a table, such as {_OWN_SURFACE}" if kind == "surface" else ""
+    raise InputError(
+        f"unknown {kind} preset {shown_value(name)}; {hint}known: {', '.join(known)}{own}"
+    )
 
 
 def merge(base: Mapping[str, Any], over: Mapping[str, Any]) -> dict[str, Any]:

@@ -204,7 +204,9 @@ def _print_cost(design: Any, workers: int | None, output: Output) -> None:
     "--format", "form", type=click.Choice(["table", "csv", "json", "markdown"]), default="table",
     show_default=True, help="Format of the output.",
 )  # fmt: skip
-@output_options("Write a file instead: .parquet, .csv, .json or .md.", "force", required=False)
+@output_options(
+    "Write a file instead: .parquet, .csv, .json or .md.", "force", "quiet", required=False
+)
 def query(folder: Path, sql: str | None, form: str, output: Output) -> None:
     """Query the campaign in FOLDER in SQL; the table is called flights.
 
@@ -226,7 +228,7 @@ def query(folder: Path, sql: str | None, form: str, output: Output) -> None:
     if out is not None and out.exists() and not output.force:
         raise InputError(f"--out {out}: already exists; give another, or --force")
     if out is not None and sql is not None and out.suffix == ".parquet":
-        say(f"{known.save(sql, out)} rows written to {out}")
+        output.note(f"{known.save(sql, out)} rows written to {out}")
         return
 
     def taken(columns: list[str], stretches: Iterator[list[Any]]) -> int:
@@ -243,7 +245,7 @@ def query(folder: Path, sql: str | None, form: str, output: Output) -> None:
     else:
         count = known.stream(sql, taken)
     if out is not None:
-        say(f"{count} rows written to {out}")
+        output.note(f"{count} rows written to {out}")
 
 
 def _is_terminal() -> bool:
