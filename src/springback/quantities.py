@@ -131,7 +131,8 @@ def _text(number: float | None, unit: str) -> str:
 class Unit:
     """SI unit and range of a field of settings, for `typing.Annotated`.
 
-    The field is a float, three floats along x, y, z (`Triple`), a quaternion (`Quadruple`), or one
+    The field is a float, two floats (`Pair`), three along x, y, z
+    (`Triple`), a quaternion (`Quadruple`), or one
     for each arm (`PerArm`).
     """
 
@@ -160,6 +161,17 @@ class Unit:
             raise problem(f"must be {numbers} (got {shown_value(value)})")
         return tuple(map(self.read, value))
 
+    def pair(self, value: Any) -> tuple[float, ...]:
+        """Two numbers in SI.
+
+        Raises:
+            The problem, with the given value, its unit and the allowed range.
+        """
+        if not isinstance(value, list | tuple) or len(value) != 2:
+            numbers = f"two numbers in {self.unit or 'no unit'}"
+            raise problem(f"must be {numbers} (got {shown_value(value)})")
+        return tuple(map(self.read, value))
+
     def quadruple(self, value: Any) -> tuple[float, ...]:
         """Quaternion w, x, y, z.
 
@@ -178,11 +190,13 @@ class Unit:
     ) -> CoreSchema:
         """Numbers are read in place of pydantic."""
         readers = {
-            Triple: self.triple, Quadruple: self.quadruple, PerArm: self._one_or_each,
+            Pair: self.pair, Triple: self.triple, Quadruple: self.quadruple,
+            PerArm: self._one_or_each,
         }  # fmt: skip
         return no_info_plain_validator_function(readers.get(source, self.read))
 
 
+Pair: TypeAlias = tuple[float, float]
 Triple: TypeAlias = tuple[float, float, float]
 Quadruple: TypeAlias = tuple[float, float, float, float]
 PerArm: TypeAlias = float | tuple[float, ...]

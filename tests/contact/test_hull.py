@@ -13,7 +13,7 @@ from builders.scenes import surface
 from builders.user_obstacles import Pole
 from springback.batch.scenarios import fly_scenarios
 from springback.contact.cage import FAR, CageContact
-from springback.contact.hull_contact import hull_contact
+from springback.contact.hull_contact import hull_contact, hull_faces
 from springback.contact.obstacles import Obstacle, Plane, SecondContact
 from springback.contact.restitution import restitution
 from springback.control.runup import reach
@@ -47,9 +47,9 @@ def value(flight: Flight, name: str) -> float:
 def met(shape: Any, centre: Vec, velocity: Vec, omega: Vec, radius: float = RADIUS) -> CageContact:
     """A hull against a rubber obstacle of some shape."""
     rubber = surface(stiffness=1e5, friction=0.5, slip_speed=1e-3)
-    return hull_contact(
-        Obstacle(shape, rubber, 0.0), 1.0, Sphere(centre, radius), body(LEVEL, velocity, omega)
-    )
+    hull = Sphere(centre, radius)
+    (face,) = hull_faces(hull, (Obstacle(shape, rubber, 0.0),))
+    return hull_contact(face, 1.0, hull, body(LEVEL, velocity, omega))
 
 
 # -- one instant -----------------------------------------------------------------------------------

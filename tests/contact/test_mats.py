@@ -7,8 +7,9 @@ import pytest
 from builders.scenes import approaching, one_arm, surface
 from springback.contact.library import MAT, WALL
 from springback.contact.obstacles import Forces, Plane, World
-from springback.contact.parameters import Mat, faces, obstacles
+from springback.contact.parameters import Mat, faces
 from springback.contact.surfaces import ThreeHalves
+from springback.contact.worlds import obstacles
 from springback.kernels.vectors import Vec
 from springback.results.flight import fly
 from springback.simulation.flight import FlightRecord, fly_one

@@ -23,8 +23,9 @@ from springback.contact.obstacles import (
     outward_normal,
     signed_distance,
 )
-from springback.contact.parameters import SurfaceSettings, obstacles
+from springback.contact.parameters import SurfaceSettings
 from springback.contact.rings import ARCS, FAR, STEPS, TRIES, lowest_on_ring
+from springback.contact.worlds import obstacles
 from springback.kernels.compiler import kernel
 from springback.kernels.vectors import Mat3, Quat, Vec, rotation
 from springback.results.flight import fly

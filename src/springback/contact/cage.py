@@ -14,6 +14,7 @@ from springback.contact.obstacles import (
     Obstacle,
     Plane,
     SecondContact,
+    obstacle_in_body_frame,
     outward_normal,
     signed_distance,
 )
@@ -26,6 +27,7 @@ from springback.contact.step_bounds import (
 )
 from springback.contact.surfaces import Surface, friction_force, normal_force, rubbing
 from springback.kernels.compiler import generic, kernel
+from springback.kernels.trees import minimum, tree_map
 from springback.kernels.vectors import Mat3, Vec, larger, rotation
 from springback.vehicle.state import ArmPose, State
 
@@ -148,6 +150,7 @@ class CageContact(NamedTuple):
     pressing_at: Vec  # where the normal force acts, from the main body [m]
     rubbing_at: Vec  # where friction acts, from the main body [m]
     per_speed: float  # of friction, 1/√(v² + v_s²); 0 without friction [s/m]
+    surface: Surface
     touch: ContactLoad
 
 
@@ -246,8 +249,65 @@ def face_along_normal(shape: Any, contact_point: Any, radius: float, arm: ArmPos
 
 @kernel
 def cage_gap(obstacle: Obstacle, contact_point: Any, radius: float, arm: ArmPose) -> float:
-    """Gap between a cage and an obstacle [m]; arguments as for `cage_contact`."""
+    """Gap between a cage and an obstacle [m]; arguments as for `contact_faces`."""
     return nearest_face(obstacle.shape, contact_point, radius, arm).gap
+
+
+class ContactFace(NamedTuple):
+    """What a cage meets, or is next to: one obstacle, or one face of a scene."""
+
+    nearest: NearestFace
+    surface: Surface
+    is_ground: float  # 1 if touching it counts as hitting the ground
+
+
+@kernel
+def face_of(obstacle: Obstacle, contact_point: Any, radius: float, arm: ArmPose) -> ContactFace:
+    """The face of an obstacle that a cage meets; arguments as for `contact_faces`."""
+    nearest = nearest_face(obstacle.shape, contact_point, radius, arm)
+    return ContactFace(nearest, obstacle.surface, obstacle.is_ground)
+
+
+@generic
+def contact_faces(
+    obstacles: Any, contact_point: Any, radius: float, arm: ArmPose
+) -> tuple[ContactFace, ...]:
+    """The faces that a cage can meet, as many at every instant.
+
+    Args:
+        obstacles: In the body frame, of any shape and orientation: a tuple of `Obstacle`, each of
+            which is one face, or a scene (`springback.contact.scene.faces`).
+        contact_point: `Ring` or `ArmTip`; a `Sphere` for a hull.
+        radius: r_0 [m].
+        arm: Pose of the arm.
+    """
+    return tree_map(face_of, (obstacles,), (contact_point, radius, arm))
+
+
+@generic
+def lowest_gap(obstacles: Any, contact_point: Any, radius: float, arm: ArmPose) -> float:
+    """Gap between a cage and the nearest obstacle, or less if it is far from all [m].
+
+    Arguments are those of `contact_faces`.
+    """
+    return minimum(tree_map(cage_gap, (obstacles,), (contact_point, radius, arm)))
+
+
+@generic
+def obstacles_in_body_frame(obstacles: Any, position: Vec, r: Mat3) -> Any:
+    """All obstacles in the frame of a body; see `springback.contact.obstacles.in_body_frame`."""
+    return tree_map(obstacle_in_body_frame, (obstacles,), (position, r))
+
+
+@kernel
+def _value_at(obstacle: Obstacle, value: float) -> float:
+    return value
+
+
+@generic
+def per_face(obstacles: Any, value: float) -> tuple[float, ...]:
+    """The same number for every face of `contact_faces`."""
+    return tree_map(_value_at, (obstacles,), (value,))
 
 
 @kernel
@@ -267,34 +327,25 @@ def cage_contact(
         arm: Pose of the arm.
         body: Motion of the main body.
     """
-    return cage_contact_while(obstacle, 1.0, contact_point, radius, arm, body)
+    return face_contact(face_of(obstacle, contact_point, radius, arm), 1.0, arm, body)
 
 
 @kernel
-def cage_contact_while(
-    obstacle: Obstacle,
-    engaged: float,
-    contact_point: Any,
-    radius: float,
-    arm: ArmPose,
-    body: BodyMotion,
-) -> CageContact:
-    """Contact as by `cage_contact`, without forces if the cage is not engaged.
+def face_contact(face: ContactFace, engaged: float, arm: ArmPose, body: BodyMotion) -> CageContact:
+    """Contact of a cage with a face that it meets, without forces if the cage is not engaged.
 
     The last stage of a Runge–Kutta step that ends at a touch evaluates the force beyond it.
     Contact is therefore switched on or off at the first stage of a step, and stays so until its
     end.
 
     Args:
-        obstacle: As for `cage_contact`.
+        face: In the body frame.
         engaged: 0 for a cage that did not touch at the beginning of the step.
-        contact_point: As for `cage_contact`.
-        radius: As for `cage_contact`.
-        arm: As for `cage_contact`.
-        body: As for `cage_contact`.
+        arm: Pose of the arm.
+        body: Motion of the main body.
     """
-    surface, end, omega = obstacle.surface, arm.lever, body.omega
-    gap, n, at = nearest_face(obstacle.shape, contact_point, radius, arm)
+    surface, end, omega = face.surface, arm.lever, body.omega
+    gap, n, at = face.nearest
     pressing, rubbing_at = end + at.normal_lever, end + at.friction_lever
     rate = (arm.sliding + (omega ^ pressing)) @ n  # δ̇, positive in compression
     # A step ends on the face to within rounding; a law with a jump there must act at once.
@@ -307,11 +358,13 @@ def cage_contact_while(
     push = n * (-pressed.force)
     force = push + rubbed.force
     moment = (rubbing_at ^ force) + ((at.normal_lever - at.friction_lever) ^ push)
-    grounded = obstacle.is_ground if gap < 0.0 else 0.0
+    grounded = face.is_ground if gap < 0.0 else 0.0
     grip = friction_damping(rubbed.grip, n, rubbing_at, arm.direction)
     press = contact_stiffness(pressed.stiffness, pressed.damper, n, arm.direction)
     touch = ContactLoad(
         force, moment, pressed.force, rubbed.force, pressed.loss, rubbed.loss, grounded, grip, press
     )
     impulsive = 1.0 if surface.restitution >= 0.0 else 0.0
-    return CageContact(gap, -rate, n, impulsive, pressing, rubbing_at, rubbed.per_speed, touch)
+    return CageContact(
+        gap, -rate, n, impulsive, pressing, rubbing_at, rubbed.per_speed, surface, touch
+    )

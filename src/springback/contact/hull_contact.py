@@ -2,7 +2,7 @@
 
 A sphere is the one body whose contact with any obstacle is exact: its gap is the signed distance of
 its centre less its radius, and it touches on the normal through its centre.  It obeys the same laws
-as a cage (`springback.contact.cage.cage_contact_while`).
+as a cage (`springback.contact.cage.face_contact`).
 """
 
 from __future__ import annotations
@@ -12,15 +12,17 @@ from typing import Any
 from springback.contact.cage import (
     BodyMotion,
     CageContact,
+    ContactFace,
     NearestFace,
     NearestFaces,
     Support,
-    cage_contact_while,
-    cage_gap,
+    contact_faces,
+    face_contact,
+    lowest_gap,
     nearest_faces,
     support,
 )
-from springback.contact.obstacles import Obstacle, outward_normal, signed_distance
+from springback.contact.obstacles import outward_normal, signed_distance
 from springback.contact.rings import FAR
 from springback.kernels.compiler import kernel
 from springback.kernels.vectors import Vec
@@ -50,25 +52,25 @@ def _pose(hull: Sphere, velocity: Vec) -> ArmPose:
 
 
 @kernel
-def hull_apart(obstacle: Obstacle, hull: Sphere) -> float:
-    """Gap between the hull and an obstacle in the body frame [m]."""
-    return cage_gap(obstacle, hull, hull.radius, _pose(hull, Vec(0.0, 0.0, 0.0)))
+def hull_gap(hull: Sphere, obstacles: Any) -> float:
+    """Gap between the hull and the nearest obstacle in the body frame, or less if it is far [m]."""
+    return lowest_gap(obstacles, hull, hull.radius, _pose(hull, Vec(0.0, 0.0, 0.0)))
 
 
 @kernel
-def hull_contact(
-    obstacle: Obstacle,
-    engaged: float,
-    hull: Sphere,
-    body: BodyMotion,
-) -> CageContact:
-    """Contact of the hull with one obstacle, eqs. (13)-(15).
+def hull_faces(hull: Sphere, obstacles: Any) -> tuple[ContactFace, ...]:
+    """The faces that the hull can meet, of obstacles in the body frame."""
+    return contact_faces(obstacles, hull, hull.radius, _pose(hull, Vec(0.0, 0.0, 0.0)))
+
+
+@kernel
+def hull_contact(face: ContactFace, engaged: float, hull: Sphere, body: BodyMotion) -> CageContact:
+    """Contact of the hull with a face that it meets, eqs. (13)-(15).
 
     Args:
-        obstacle: In the body frame.
-        engaged: As for `springback.contact.cage.cage_contact_while`.
+        face: In the body frame.
+        engaged: As for `springback.contact.cage.face_contact`.
         hull: Hull of the main body.
         body: Motion of the main body.
     """
-    pose = _pose(hull, body.velocity)
-    return cage_contact_while(obstacle, engaged, hull, hull.radius, pose, body)
+    return face_contact(face, engaged, _pose(hull, body.velocity), body)

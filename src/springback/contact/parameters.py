@@ -2,20 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
-from springback.contact.obstacles import Obstacle, Plane, SecondContact
+from springback.contact.obstacles import Plane
 from springback.contact.restitution import dissipation_for
 from springback.contact.surfaces import (
-    AnyExponent,
     BothTangents,
+    EitherTangents,
     Exponent,
-    Linear,
+    FrictionAxes,
     Surface,
-    ThreeHalves,
     VerticalTangent,
 )
 from springback.kernels.tracing import hypot, sqrt  # for batch set-up
@@ -85,11 +83,18 @@ class SurfaceSettings(Settings):
         """Exponent n of the law."""
         return 1.0 if self.law == "kelvin-voigt" else self.exponent
 
-    def surface(self, exponent: type[ThreeHalves | Linear | AnyExponent]) -> Surface:
-        """Numbers for one cage; the exponent's type is chosen for the whole world."""
-        impulse = self.law == "impulse"
+    def surface(self, exponent: type[Exponent], by_number: bool = False) -> Surface:
+        """Numbers for one cage; types are chosen for the whole world.
+
+        Args:
+            exponent: Type of the exponent.
+            by_number: True if the axes of friction are told by a number, false for a type.
+        """
+        impulse, both = self.law == "impulse", self.friction_axes == "both"
         n: Exponent = exponent(self.exponent_value())
-        axes = BothTangents(0.0) if self.friction_axes == "both" else VerticalTangent(0.0)
+        axes: FrictionAxes = BothTangents(0.0) if both else VerticalTangent(0.0)
+        if by_number:
+            axes = EitherTangents(0.0 if both else 1.0)
         return Surface(
             stiffness=0.0 if impulse else self.stiffness / self.shared_by,
             dissipation=1.5 * self.dissipation_value(),
@@ -155,9 +160,6 @@ class Mat(PlaneSettings):
     """Surface of the wall behind the mat; `distance` and `position` are those of the wall."""
 
 
-ObstacleSettings = Annotated[Wall | Ground | Mat, Field(discriminator="type")]
-
-
 def faces(obstacle: Wall | Ground | Mat) -> list[tuple[Plane, SurfaceSettings, float]]:
     """Planes, surfaces and ground flags, front to back."""
     if isinstance(obstacle, Ground):
@@ -166,36 +168,3 @@ def faces(obstacle: Wall | Ground | Mat) -> list[tuple[Plane, SurfaceSettings, f
         front = (obstacle.plane(obstacle.thickness), obstacle.surface, 0.0)
         return [front, (obstacle.plane(), obstacle.backing, 0.0)]
     return [(obstacle.plane(), obstacle.surface, 0.0)]
-
-
-def _exponent_type(values: list[float]) -> type[Any]:
-    """The exponent type common to all faces, so that they form one compiled structure."""
-    if all(value == 1.5 for value in values):
-        return ThreeHalves
-    if all(value == 1.0 for value in values):
-        return Linear
-    return AnyExponent
-
-
-#: A user's own shape, registered with `signed_distance` and `outward_normal`, and its surface.
-Own = tuple[Any, SurfaceSettings]
-
-
-def obstacles(
-    settings: tuple[Wall | Ground | Mat, ...], own: Sequence[Own] = ()
-) -> tuple[Obstacle, ...]:
-    """Numbers of all obstacles; if there are none, a face out of reach."""
-    all_faces: list[tuple[Any, SurfaceSettings, float]] = []
-    all_faces += [face for entry in settings for face in faces(entry)]
-    all_faces += [(shape, surface, 0.0) for shape, surface in own]
-    # A ring can touch a shape that is not plane at two points.
-    all_faces += [
-        (SecondContact(s), surface, 0.0) for s, surface in own if not isinstance(s, Plane)
-    ]
-    exponent = _exponent_type([surface.exponent_value() for _, surface, _ in all_faces])
-    if not all_faces:
-        nowhere = SurfaceSettings(law="hertz").surface(ThreeHalves)
-        return (Obstacle(Plane(Vec(0.0, 0.0, 1.0), -1e9), nowhere, 0.0),)
-    return tuple(
-        Obstacle(shape, surface.surface(exponent), ground) for shape, surface, ground in all_faces
-    )

@@ -11,6 +11,7 @@ import math
 from typing import NamedTuple
 
 from springback.kernels.compiler import generic, kernel
+from springback.kernels.trees import select
 from springback.kernels.vectors import Vec, positive_part
 
 
@@ -47,7 +48,13 @@ class VerticalTangent(NamedTuple):
     unused: float
 
 
-FrictionAxes = BothTangents | VerticalTangent
+class EitherTangents(NamedTuple):
+    """The one or the other, by a number: where a world has many surfaces."""
+
+    vertical: float  # 1: as `VerticalTangent`, 0: as `BothTangents`
+
+
+FrictionAxes = BothTangents | VerticalTangent | EitherTangents
 
 
 class Surface(NamedTuple):
@@ -151,7 +158,7 @@ def rubbing(axes: FrictionAxes, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
     """Part of a slip velocity that friction opposes [m/s].
 
     Args:
-        axes: `BothTangents` or `VerticalTangent`.
+        axes: `BothTangents`, `VerticalTangent` or `EitherTangents`.
         slip: Velocity along the surface [m/s].
         normal: Unit normal of the surface.
         vertical: e_Z, in the same axes as the others.
@@ -164,6 +171,14 @@ def rubbing(axes: FrictionAxes, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
 def _vertical(axes: VerticalTangent, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
     up = vertical - (vertical @ normal) * normal  # e_Z along the surface; zero on a floor
     return up * ((slip @ up) / (up @ up + 1e-12))
+
+
+@rubbing.register(EitherTangents)
+@kernel
+def _either(axes: EitherTangents, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
+    upright = rubbing(VerticalTangent(0.0), slip, normal, vertical)
+    opposed: Vec = select(axes.vertical > 0.0, upright, slip)
+    return opposed
 
 
 class Friction(NamedTuple):

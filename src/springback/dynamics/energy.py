@@ -4,9 +4,15 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.contact.cage import BodyMotion, body_motion, cage_contact
-from springback.contact.hull_contact import hull_apart
-from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
+from springback.contact.cage import (
+    BodyMotion,
+    ContactFace,
+    body_motion,
+    contact_faces,
+    obstacles_in_body_frame,
+)
+from springback.contact.hull_contact import hull_faces
+from springback.contact.obstacles import World
 from springback.contact.surfaces import elastic_energy
 from springback.kernels.compiler import rare_kernel
 from springback.kernels.trees import field_of, fold, replace, tree_map, tree_sum
@@ -55,9 +61,8 @@ def _arm_energy(
     """Energy of an arm in a world whose obstacles are in the body frame."""
     pose = arm_pose(arm, length, rate, body.velocity)
     velocity = pose.sliding + (body.omega ^ pose.lever)
-    stored = tree_map(
-        _contact_energy, (world.obstacles,), (contact_point, arm.cage_radius, pose, body)
-    )
+    faces = contact_faces(world.obstacles, contact_point, arm.cage_radius, pose)
+    stored = tree_map(_contact_energy, (faces,), ())
     pressed = positive_part(arm.shortest - length) * positive_part(arm.shortest - length)
     pressed += positive_part(length - arm.length) * positive_part(length - arm.length)
     return Energy(
@@ -74,29 +79,21 @@ def _arm_energy(
 
 
 @rare_kernel
-def _contact_energy(
-    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, body: BodyMotion
-) -> float:
-    met = cage_contact(obstacle, contact_point, radius, arm, body)
-    return elastic_energy(obstacle.surface, positive_part(-met.gap))
+def _contact_energy(face: ContactFace) -> float:
+    return elastic_energy(face.surface, positive_part(-face.nearest.gap))
 
 
 @rare_kernel
-def _hull_energy(so_far: float, hull: Sphere, obstacles: tuple[Obstacle, ...]) -> float:
+def _hull_energy(so_far: float, hull: Sphere, obstacles: Any) -> float:
     """Elastic energy of contacts, with those of the hull added [J]."""
-    return so_far + tree_sum(tree_map(_hull_contact_energy, (obstacles,), (hull,)))
-
-
-@rare_kernel
-def _hull_contact_energy(obstacle: Obstacle, hull: Sphere) -> float:
-    return elastic_energy(obstacle.surface, positive_part(-hull_apart(obstacle, hull)))
+    return so_far + tree_sum(tree_map(_contact_energy, (hull_faces(hull, obstacles),), ()))
 
 
 @rare_kernel
 def energy(airframe: Airframe, world: World, contact_point: Any, state: State) -> Energy:
     """Mechanical energy of a vehicle [J], eqs. (5) and (7) with contact and end stops added."""
     body, omega = body_motion(state, 0.0), state.angular_velocity
-    obstacles = tree_map(obstacle_in_body_frame, (world.obstacles,), (state.position, body.r))
+    obstacles = obstacles_in_body_frame(world.obstacles, state.position, body.r)
     arms = tree_map(
         _arm_energy,
         (airframe.arms, state.arm_length, state.arm_rate),

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from springback.contact.cage import BodyMotion, CageContact
-from springback.contact.hull_contact import hull_contact
-from springback.contact.obstacles import Obstacle
+from springback.contact.hull_contact import hull_contact, hull_faces
 from springback.contact.step_bounds import InverseInertia
 from springback.dynamics.crossing import Crossing, soonest
 from springback.dynamics.touches import (
@@ -35,7 +34,7 @@ class HullView(NamedTuple):
     normal: float  # f_n [N]
     friction: Vec  # f_f, world [N]
     crossing: Crossing  # of a gap: the next zero
-    engaged: tuple[float, ...]  # 1 while the hull touches, for each obstacle
+    engaged: tuple[float, ...]  # 1 while the hull touches, for each face
     impulsive: float  # 1 where it closes in on a surface of the impulse law
 
 
@@ -47,25 +46,25 @@ class HullState(NamedTuple):
     touched: Vec  # normal into the obstacle that it touches, body; zero without contact
     damper: float  # friction as a damper [N s/m]
     farthest: float  # bound on the squared distance of its contact points from the main body [m²]
-    slips: tuple[Slip, ...]  # one for each obstacle
+    slips: tuple[Slip, ...]  # one for each face
 
 
 @kernel
 def hull_state(
     hull: Sphere,
     engaged: tuple[float, ...],
-    obstacles: tuple[Obstacle, ...],
+    obstacles: Any,
     body: BodyMotion,
 ) -> HullState:
     """Contact, view and step limits of the hull at one instant.
 
     Args:
         hull: Hull of the main body.
-        engaged: For each obstacle, 0 if it was not touched when the step began.
+        engaged: For each face, 0 if it was not touched when the step began.
         obstacles: In the body frame.
         body: Motion of the main body.
     """
-    met = tree_map(hull_contact, (obstacles, engaged), (hull, body))
+    met = tree_map(hull_contact, (hull_faces(hull, obstacles), engaged), (hull, body))
     touch, gap = tree_sum(field_of(met, "touch")), minimum(field_of(met, "gap"))
     engaged_now = tree_map(is_in_contact, (met,), ())
     view = HullView(
@@ -107,14 +106,11 @@ def friction_rate_with_hull(
 
 
 @kernel
-def hull_slip_rate(
-    hull: HullState, obstacles: tuple[Obstacle, ...], body: BodyAcceleration
-) -> float:
+def hull_slip_rate(hull: HullState, body: BodyAcceleration) -> float:
     """Square of an upper bound on the rate of change of the hull's slip [1/s²].
 
     Args:
         hull: State of the hull.
-        obstacles: In the body frame.
         body: Acceleration of the main body.
     """
-    return maximum(tree_map(slip_rate, (obstacles, hull.slips), (body,)))
+    return maximum(tree_map(slip_rate, (hull.slips,), (body,)))

@@ -18,12 +18,15 @@ from typing import Any, NamedTuple
 from springback.contact.cage import (
     BodyMotion,
     CageContact,
+    ContactFace,
     body_motion,
-    cage_contact,
+    contact_faces,
+    face_contact,
+    obstacles_in_body_frame,
     slip_velocity,
 )
-from springback.contact.hull_contact import hull_contact
-from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
+from springback.contact.hull_contact import hull_contact, hull_faces
+from springback.contact.obstacles import World
 from springback.contact.surfaces import Surface
 from springback.dynamics.energy import about_mass_centre, energy, spread
 from springback.dynamics.motion import LANDED, RESTING, Motion, Work
@@ -47,7 +50,7 @@ MOST_PARTS = 100 * PARTS
 
 
 class ImpulseContact(NamedTuple):
-    """One cage, or the hull, at one obstacle at the instant of an impulse."""
+    """One cage, or the hull, at one face at the instant of an impulse."""
 
     near: float  # 1 if it touches and its surface follows the impulse law
     closing: float  # 1 if it also approaches
@@ -58,20 +61,17 @@ class ImpulseContact(NamedTuple):
 
 
 @rare_kernel
-def _hit_obstacle(
-    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, body: BodyMotion
-) -> ImpulseContact:
-    met = cage_contact(obstacle, contact_point, radius, arm, body)
-    return _hit(met, obstacle.surface, body.r)
+def _hit_by_arm(face: ContactFace, arm: Any, body: BodyMotion) -> ImpulseContact:
+    return _hit(face_contact(face, 1.0, arm, body), body.r)
 
 
 @rare_kernel
-def _hull_hits_obstacle(obstacle: Obstacle, hull: Sphere, body: BodyMotion) -> ImpulseContact:
-    return _hit(hull_contact(obstacle, 1.0, hull, body), obstacle.surface, body.r)
+def _hit_by_hull(face: ContactFace, hull: Sphere, body: BodyMotion) -> ImpulseContact:
+    return _hit(hull_contact(face, 1.0, hull, body), body.r)
 
 
 @rare_kernel
-def _hit(met: CageContact, surface: Surface, r: Mat3) -> ImpulseContact:
+def _hit(met: CageContact, r: Mat3) -> ImpulseContact:
     near = (met.gap <= LANDED) & (met.impulsive > 0.0)
     closing = near & (met.rate < 0.0)
     lever = r @ met.pressing_at
@@ -81,7 +81,7 @@ def _hit(met: CageContact, surface: Surface, r: Mat3) -> ImpulseContact:
         -(r @ met.inward),
         lever,
         met.gap,
-        surface,
+        met.surface,
     )
 
 
@@ -90,19 +90,18 @@ def _hits_of_arm(
     arm: Arm,
     length: float,
     rate: float,
-    obstacles: tuple[Obstacle, ...],
+    obstacles: Any,
     contact_point: Any,
     body: BodyMotion,
 ) -> tuple[ImpulseContact, ...]:
     pose = arm_pose(arm, length, rate, body.velocity)
-    return tree_map(_hit_obstacle, (obstacles,), (contact_point, arm.cage_radius, pose, body))
+    faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose)
+    return tree_map(_hit_by_arm, (faces,), (pose, body))
 
 
 @rare_kernel
-def _hits_of_hull(
-    hull: Sphere, obstacles: tuple[Obstacle, ...], body: BodyMotion
-) -> tuple[ImpulseContact, ...]:
-    return tree_map(_hull_hits_obstacle, (obstacles,), (hull, body))
+def _hits_of_hull(hull: Sphere, obstacles: Any, body: BodyMotion) -> tuple[ImpulseContact, ...]:
+    return tree_map(_hit_by_hull, (hull_faces(hull, obstacles),), (hull, body))
 
 
 @rare_kernel
@@ -133,7 +132,7 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
     centre, drift = r @ (arms.first * (1.0 / m)), r @ (arms.drift * (1.0 / m))
     inertia = airframe.inertia + arms_inertia(arms.second)
     inertia = about_mass_centre(inertia, m, arms.first * (1.0 / m))
-    obstacles = tree_map(obstacle_in_body_frame, (world.obstacles,), (state.position, r))
+    obstacles = obstacles_in_body_frame(world.obstacles, state.position, r)
     up = Vec(0.0, 0.0, 1.0)
     of_cages = tree_map(
         _hits_of_arm,

@@ -29,8 +29,15 @@ import math
 from typing import Any, NamedTuple, Protocol
 
 from springback.contact.cage import LANDED as LANDED
-from springback.contact.cage import BodyMotion, body_motion, cage_contact_while
-from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
+from springback.contact.cage import (
+    BodyMotion,
+    body_motion,
+    contact_faces,
+    face_contact,
+    obstacles_in_body_frame,
+    per_face,
+)
+from springback.contact.obstacles import World
 from springback.contact.step_bounds import (
     ArmFrictionRate,
     FrictionDamping,
@@ -116,7 +123,7 @@ class ArmView(NamedTuple):
     compression: float  # L − l [m]
     unbalance: float  # m_j l̈ + b_l l̇, the net force that moves it from its position [N]
     crossing: Crossing  # of a gap or a stop: the next zero
-    engaged: tuple[float, ...]  # 1 while the cage touches, for each obstacle
+    engaged: tuple[float, ...]  # 1 while the cage touches, for each face
     impulsive: float  # 1 if it approaches a surface of the impulse law
     bottomed: float  # 1 at the end of the stroke
     stopped: float  # 1 while an end stop is pressed
@@ -162,7 +169,7 @@ class ArmPull(NamedTuple):
 
 
 class Engaged(NamedTuple):
-    """Contact flags: for each obstacle, 1 if a part of the vehicle touches it."""
+    """Contact flags: for each face, 1 if a part of the vehicle touches it."""
 
     arms: tuple[tuple[float, ...], ...]  # the cage of each arm
     hull: tuple[tuple[float, ...], ...]  # of the main body
@@ -171,7 +178,7 @@ class Engaged(NamedTuple):
 class Surroundings(NamedTuple):
     """What all arms of a vehicle share at one instant."""
 
-    obstacles: tuple[Obstacle, ...]  # in the body frame
+    obstacles: Any  # in the body frame
     contact_point: Any  # Ring or ArmTip
     body: BodyMotion
     released: float  # 1 lets compliant arms slide, 0 locks them
@@ -186,7 +193,7 @@ class ArmState(NamedTuple):
     touched: Vec  # normal into the obstacle that it touches, body; zero without contact
     grip: ArmFrictionRate
     slide: Stiffness  # spring and damper along the slide
-    slips: tuple[Slip, ...]  # one for each obstacle
+    slips: tuple[Slip, ...]  # one for each face
 
 
 @kernel
@@ -221,7 +228,7 @@ def arm_state(
         length: l_j [m].
         rate: l̇_j [m/s].
         thrust: T_j [N].
-        engaged: For each obstacle, 0 if the cage did not touch it when the step began.
+        engaged: For each face, 0 if the cage did not touch it when the step began.
         around: What all arms share.
     """
     body, omega = around.body, around.body.omega
@@ -229,11 +236,8 @@ def arm_state(
     pose = arm_pose(arm, length, rate, body.velocity)
     e, lever = pose.direction, pose.lever
 
-    met = tree_map(
-        cage_contact_while,
-        (around.obstacles, engaged),
-        (around.contact_point, arm.cage_radius, pose, body),
-    )
+    faces = contact_faces(around.obstacles, around.contact_point, arm.cage_radius, pose)
+    met = tree_map(face_contact, (faces, engaged), (pose, body))
     touch = tree_sum(field_of(met, "touch"))
     gap = minimum(field_of(met, "gap"))
     stop = end_stop(arm, length, rate)
@@ -303,11 +307,10 @@ def _arm_slip_rate(
     arm: Arm,
     sliding: float,
     slips: tuple[Slip, ...],
-    obstacles: tuple[Obstacle, ...],
     body: BodyAcceleration,
 ) -> float:
     end = body.linear + Vec(arm.cosine * sliding, arm.sine * sliding, 0.0)
-    return maximum(tree_map(slip_rate, (obstacles, slips), (replace(body, linear=end),)))
+    return maximum(tree_map(slip_rate, (slips,), (replace(body, linear=end),)))
 
 
 class Rates(NamedTuple):
@@ -318,13 +321,8 @@ class Rates(NamedTuple):
 
 
 @kernel
-def _engaged_with(obstacle: Obstacle) -> float:
-    return 1.0
-
-
-@kernel
-def _engaged_part(part: Any, obstacles: tuple[Obstacle, ...]) -> tuple[float, ...]:
-    return tree_map(_engaged_with, (obstacles,), ())
+def _engaged_part(part: Any, obstacles: Any) -> tuple[float, ...]:
+    return per_face(obstacles, 1.0)
 
 
 @kernel
@@ -380,7 +378,7 @@ def rates(plant: Plant, state: State, released: float) -> Rates:
 def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -> Rates:
     """Rates as by `rates`, with contact off where not engaged.
 
-    See `springback.contact.cage.cage_contact_while`.
+    See `springback.contact.cage.face_contact`.
 
     Args:
         plant: As for `rates`.
@@ -391,7 +389,7 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
     airframe, world = plant.airframe, plant.world
     body = body_motion(state, AHEAD * fastest_cage(airframe, state))
     r, omega, velocity = body.r, body.omega, body.velocity
-    obstacles = tree_map(obstacle_in_body_frame, (world.obstacles,), (state.position, r))
+    obstacles = obstacles_in_body_frame(world.obstacles, state.position, r)
     arms, a = tree_map_sum(
         arm_state,
         "share",
@@ -455,9 +453,9 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
     linear = solved.linear - world.gravity * body.vertical
     moving = BodyAcceleration(linear, solved.angular, body.vertical)
     cage_slips = tree_map(
-        _arm_slip_rate, (airframe.arms, sliding, field_of(arms, "slips")), (obstacles, moving)
+        _arm_slip_rate, (airframe.arms, sliding, field_of(arms, "slips")), (moving,)
     )
-    hull_slips = tree_map(hull_slip_rate, (hull,), (obstacles, moving))
+    hull_slips = tree_map(hull_slip_rate, (hull,), (moving,))
     view = View(
         acceleration,
         solved.linear,

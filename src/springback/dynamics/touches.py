@@ -8,8 +8,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from springback.contact.cage import LANDED, CageContact, ContactLoad, slip_velocity
-from springback.contact.obstacles import Obstacle
 from springback.contact.step_bounds import ContactStiffness
+from springback.contact.surfaces import Surface
 from springback.dynamics.crossing import Crossing, crossing
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import maximum, tree_map, tree_sum
@@ -37,6 +37,7 @@ class Slip(NamedTuple):
     inward: Vec  # unit normal into the obstacle, body
     point: Vec  # from the main body, body [m]
     per_speed: float  # 1/√(v² + v_s²); 0 without friction [s/m]
+    surface: Surface
 
 
 @kernel
@@ -93,7 +94,7 @@ def touched_normal(met: tuple[CageContact, ...], nearest: float, engaged: tuple[
 @kernel
 def slip_of(met: CageContact) -> Slip:
     """Slip of a part along an obstacle."""
-    return Slip(met.inward, met.rubbing_at, met.per_speed)
+    return Slip(met.inward, met.rubbing_at, met.per_speed, met.surface)
 
 
 class BodyAcceleration(NamedTuple):
@@ -105,8 +106,8 @@ class BodyAcceleration(NamedTuple):
 
 
 @kernel
-def slip_rate(obstacle: Obstacle, slip: Slip, body: BodyAcceleration) -> float:
+def slip_rate(slip: Slip, body: BodyAcceleration) -> float:
     """Square of the rate of a slip, |v̇| / √(v² + v_s²), of main body and part [1/s²]."""
     change = body.linear + (body.angular ^ slip.point)
-    along = slip_velocity(obstacle.surface, change, slip.inward, body.vertical)
+    along = slip_velocity(slip.surface, change, slip.inward, body.vertical)
     return (along @ along) * (slip.per_speed * slip.per_speed)

@@ -136,7 +136,7 @@ def generic(function: Callable[P, R]) -> Generic[P, R]:
 
     @compiler_rule(chosen)
     def by_type(*arguments: Any) -> Any:
-        return chosen.dispatch(arguments[0].instance_class)
+        return chosen.dispatch(getattr(arguments[0], "instance_class", tuple))
 
     typed = cast("Generic[P, R]", chosen)
     _GENERICS.append(typed)
@@ -185,6 +185,28 @@ def _entry(function: F, folder: Path | None, options: dict[str, Any]) -> F:
     if folder is not None:
         entry._cache = KernelCache(function, folder)
     return cast("F", entry)
+
+
+class CompiledApart(NamedTuple):
+    """Machine code of a function that its callers reach by its address."""
+
+    address: int
+    owner: Any  # keeps the code in memory
+
+
+def compile_apart(function: Callable[..., Any], signature: Any, folder: Path) -> CompiledApart:
+    """Compile a function by itself, cached on disk, for callers that know its address only.
+
+    Args:
+        function: A kernel.
+        signature: Compiler types of its arguments.
+        folder: That of the cached kernels.
+    """
+    entry: Any = _entry(function, folder, {})
+    entry.compile(signature)
+    made = entry.overloads[signature]
+    address = made.library.get_pointer_to_function(made.fndesc.llvm_func_name)
+    return CompiledApart(address, entry)
 
 
 def executor(**options: Any) -> Callable[[F], F]:

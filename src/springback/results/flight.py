@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 from pydantic_core import PydanticCustomError
 
-from springback.contact.parameters import Own
+from springback.contact.worlds import Own
 from springback.errors import InputError
 from springback.recovery.detection import CollisionInputs
 from springback.results.columns import telemetry_columns, trajectory_columns, work_columns

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.contact.obstacles import outward_normal, signed_distance
-from springback.contact.parameters import Own
+from springback.contact.worlds import Own
 from springback.errors import InputError
 from springback.kernels.vectors import Vec
 

@@ -11,10 +11,21 @@ from typing import Any, NamedTuple
 import numpy as np
 import scipy  # submodules are loaded on first use
 
-from springback.contact.cage import BodyMotion, CageContact, body_motion, cage_contact
-from springback.contact.hull_contact import hull_contact
-from springback.contact.obstacles import Obstacle, obstacle_in_body_frame
-from springback.contact.parameters import Own, faces
+from springback.contact.cage import (
+    BodyMotion,
+    CageContact,
+    ContactFace,
+    body_motion,
+    contact_faces,
+    face_contact,
+    obstacles_in_body_frame,
+    per_face,
+)
+from springback.contact.hull_contact import hull_contact, hull_faces
+from springback.contact.parameters import faces
+from springback.contact.scene.faces import FACES, Scene
+from springback.contact.shapes import ShapeSettings
+from springback.contact.worlds import Own, obstacles
 from springback.dynamics.solution import Slider
 from springback.errors import InputError
 from springback.kernels.compiler import executor, kernel, user_executor
@@ -147,19 +158,17 @@ class PartContact(NamedTuple):
     """A cage or the hull: its moment and distances."""
 
     moment: Vec  # of its contact forces about the main body, body axes [N m]
-    gaps: tuple[float, ...]  # to each obstacle [m]
+    gaps: tuple[float, ...]  # to each face that it can meet [m]
 
 
 @kernel
-def _on_cage(
-    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, body: BodyMotion
-) -> CageContact:
-    return cage_contact(obstacle, contact_point, radius, arm, body)
+def _on_cage(face: ContactFace, arm: Any, body: BodyMotion) -> CageContact:
+    return face_contact(face, 1.0, arm, body)
 
 
 @kernel
-def _on_hull(obstacle: Obstacle, hull: Sphere, body: BodyMotion) -> CageContact:
-    return hull_contact(obstacle, 1.0, hull, body)
+def _on_hull(face: ContactFace, hull: Sphere, body: BodyMotion) -> CageContact:
+    return hull_contact(face, 1.0, hull, body)
 
 
 @kernel
@@ -177,18 +186,19 @@ def _arm_contact(
     arm: Arm,
     length: float,
     rate: float,
-    obstacles: tuple[Obstacle, ...],
+    obstacles: Any,
     contact_point: Any,
     body: BodyMotion,
 ) -> PartContact:
     pose = arm_pose(arm, length, rate, body.velocity)
-    found = tree_map(_on_cage, (obstacles,), (contact_point, arm.cage_radius, pose, body))
+    faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose)
+    found = tree_map(_on_cage, (faces,), (pose, body))
     return PartContact(tree_sum(tree_map(_moment, (found,), ())), tree_map(_gap, (found,), ()))
 
 
 @kernel
-def _hull_contact(hull: Sphere, obstacles: tuple[Obstacle, ...], body: BodyMotion) -> PartContact:
-    found = tree_map(_on_hull, (obstacles,), (hull, body))
+def _hull_contact(hull: Sphere, obstacles: Any, body: BodyMotion) -> PartContact:
+    found = tree_map(_on_hull, (hull_faces(hull, obstacles),), (hull, body))
     return PartContact(tree_sum(tree_map(_moment, (found,), ())), tree_map(_gap, (found,), ()))
 
 
@@ -196,7 +206,7 @@ def _hull_contact(hull: Sphere, obstacles: tuple[Obstacle, ...], body: BodyMotio
 def _contacts(at: Instant) -> tuple[PartContact, ...]:
     state = at.state
     body = body_motion(state, 0.0)
-    obstacles = tree_map(obstacle_in_body_frame, (at.world.obstacles,), (state.position, body.r))
+    obstacles = obstacles_in_body_frame(at.world.obstacles, state.position, body.r)
     arms = tree_map(
         _arm_contact,
         (at.airframe.arms, state.arm_length, state.arm_rate),
@@ -231,7 +241,7 @@ def contact_history(model: Model, flight: FlightResult) -> ContactHistory:
     like = Instant(model.airframe, model.world, model.contact_point, still_state((0.0,) * arms))
     constants = np.array(leaves(like)[: -states.shape[1]])
     instants = np.hstack([np.broadcast_to(constants, (len(states), len(constants))), states])
-    parts, obstacles = arms + len(model.airframe.hull), len(model.world.obstacles)
+    parts, obstacles = arms + len(model.airframe.hull), len(per_face(model.world.obstacles, 0.0))
     out = np.zeros((len(states), parts * (3 + obstacles)))
     own = own_types(like)
     plain = getattr(_all_contacts, "py_func", _all_contacts)
@@ -355,15 +365,25 @@ def gaps(flight: FlightResult, obstacle: int | None = None, own: tuple[Own, ...]
     """Distances of cages and hull from the obstacles; see `springback.Flight.gap`."""
     model = _model(flight, own)
     entries = [x for x in flight.scenario.world.obstacles if not isinstance(x, UserShape)]
-    counts = [*(len(faces(entry)) for entry in entries), *(1 for _ in own or flight.own)]
-    if not counts:
+    known, shapes = len(entries), own or flight.own
+    if not (count := known + len(shapes)):
         raise InputError("the world of this flight has no obstacles")
+    if obstacle is not None and not 0 <= obstacle < count:
+        raise InputError(f"obstacle: must be from 0 to {count - 1} (got {obstacle})")
+    if isinstance(model.world.obstacles, Scene):
+        if obstacle is not None and obstacle < known:
+            alone = obstacles((entries[obstacle],), as_scene=True)
+            model = model._replace(world=model.world._replace(obstacles=alone))
+        seen = contact_history(model, flight).gaps
+        if obstacle is not None and obstacle >= known:
+            seen = seen[:, :, FACES + obstacle - known :][:, :, :1]
+        nearest: Array = seen.min(axis=2)
+        return nearest
+    planes = [entry for entry in entries if not isinstance(entry, ShapeSettings)]
+    counts = [*(len(faces(entry)) for entry in planes), *(1 for _ in shapes)]
     ends = np.cumsum([0, *counts])  # a second contact of a ring, listed after these, is no nearer
-    if obstacle is None:
-        first, last = 0, int(ends[-1])
-    elif 0 <= obstacle < len(counts):
+    first, last = 0, int(ends[-1])
+    if obstacle is not None:
         first, last = ends[obstacle : obstacle + 2].tolist()
-    else:
-        raise InputError(f"obstacle: must be from 0 to {len(counts) - 1} (got {obstacle})")
     found: Array = contact_history(model, flight).gaps[:, :, first:last].min(axis=2)
     return found

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from springback.contact.parameters import Own
+from springback.contact.worlds import Own
 from springback.errors import CommandWarning, FlightWarning, InputError, LedgerWarning
 from springback.results.measures import FlightMeasures
 from springback.results.meshes import Mesh, surfaces_of

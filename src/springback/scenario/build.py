@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
-from springback.contact.parameters import Own
+from springback.contact.worlds import Own
 from springback.dynamics.motion import LANDED, rates
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.vectors import Vec

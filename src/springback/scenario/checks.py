@@ -9,15 +9,13 @@ from typing import Any
 
 from pydantic_core import PydanticCustomError
 
-from springback.contact.cage import LANDED, cage_gap
-from springback.contact.hull_contact import hull_apart
-from springback.contact.obstacles import (
-    Obstacle,
-    Plane,
-    obstacle_in_body_frame,
-    signed_distance,
-)
+from springback.contact.cage import LANDED, lowest_gap, obstacles_in_body_frame
+from springback.contact.hull_contact import hull_gap
+from springback.contact.obstacles import Plane, signed_distance
 from springback.contact.parameters import faces
+from springback.contact.scene.faces import Scene, distance_of
+from springback.contact.shapes import ShapeSettings
+from springback.contact.worlds import obstacles
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
 from springback.kernels.vectors import Vec, norm, rotation
@@ -203,30 +201,39 @@ def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
     """Reject a start inside an obstacle."""
     if is_clear(model, state):
         return
-    r, given = rotation(state.attitude), scenario.world.obstacles
-    known = [(k, entry) for k, entry in enumerate(given) if not isinstance(entry, UserShape)]
-    owners = [k for k, entry in known for _ in faces(entry)]
     parts = [f"cage of arm {j}" for j in range(1, len(model.airframe.arms) + 1)] + ["main body"]
-    for owner, obstacle in zip(owners, model.world.obstacles, strict=False):
-        there = obstacle_in_body_frame(obstacle, state.position, r)
+    for owner, one in _one_by_one(scenario, model):
+        there = obstacles_in_body_frame(one, state.position, rotation(state.attitude))
         for part, gap in zip(
             parts, _gaps(there, model.airframe, model.contact_point), strict=False
         ):
             if gap < -LANDED:
                 raise problem(
                     f"puts the {part} {-gap:.3g} m inside world.obstacles[{owner}], a "
-                    f"{given[owner].type} (got {list(scenario.start.position)} m)",
+                    f"{scenario.world.obstacles[owner].type} "
+                    f"(got {list(scenario.start.position)} m)",
                     "start.position",
                 )
 
 
+def _one_by_one(scenario: ScenarioTables, model: Model) -> Iterator[tuple[int, Any]]:
+    """Every built-in obstacle of a world with its number, as in `World.obstacles`."""
+    given = enumerate(scenario.world.obstacles)
+    known = [(k, entry) for k, entry in given if not isinstance(entry, UserShape)]
+    if isinstance(model.world.obstacles, Scene):
+        yield from ((k, obstacles((entry,))) for k, entry in known)
+        return
+    owners = [k for k, entry in known if not isinstance(entry, ShapeSettings) for _ in faces(entry)]
+    yield from zip(owners, ((one,) for one in model.world.obstacles), strict=False)
+
+
 @traceable
-def _gaps(obstacle: Obstacle, airframe: Airframe, contact_point: Any) -> tuple[float, ...]:
-    """Gaps of cages and hull to an obstacle in the body frame, arms at their free length [m]."""
+def _gaps(obstacles: Any, airframe: Airframe, contact_point: Any) -> tuple[float, ...]:
+    """Gaps of cages and hull to obstacles in the body frame, arms at their free length [m]."""
     still = Vec(0.0, 0.0, 0.0)
     poses = [(arm.cage_radius, arm_pose(arm, arm.length, 0.0, still)) for arm in airframe.arms]
-    cages = [cage_gap(obstacle, contact_point, radius, pose) for radius, pose in poses]
-    return (*cages, *(hull_apart(obstacle, hull) for hull in airframe.hull))
+    cages = [lowest_gap(obstacles, contact_point, radius, pose) for radius, pose in poses]
+    return (*cages, *(hull_gap(hull, obstacles) for hull in airframe.hull))
 
 
 @traceable
@@ -237,8 +244,10 @@ def reach_of(airframe: Airframe) -> float:
 
 
 def is_clear(model: Model, state: State) -> bool:
-    """True if all planes are out of reach at any attitude."""
+    """True if all planes, or all solids of a scene, are out of reach at any attitude."""
     reach = reach_of(model.airframe)
+    if isinstance(model.world.obstacles, Scene):
+        return distance_of(model.world.obstacles, state.position) >= reach
     for obstacle in model.world.obstacles:
         shape = obstacle.shape
         if not isinstance(shape, Plane) or signed_distance(shape, state.position) < reach:

@@ -13,12 +13,12 @@ from springback.contact.cage import ArmTip, Ring
 from springback.contact.obstacles import (
     Forces,
     Impulses,
-    Obstacle,
     Plane,
     SecondContact,
     World,
 )
-from springback.contact.parameters import Own, obstacles
+from springback.contact.scene.faces import Scene
+from springback.contact.worlds import Own, obstacles
 from springback.dynamics.clearance import clearance
 from springback.dynamics.motion import Free, Slider
 from springback.kernels.memo import Build, plain_build
@@ -207,7 +207,7 @@ def world_numbers(world: WorldSettings, own: Sequence[Own] = ()) -> World:
     """Obstacles and gravity; ``own`` are the user's own shapes, those that the world names, too."""
     known = tuple(entry for entry in world.obstacles if not isinstance(entry, UserShape))
     built = obstacles(known, own)
-    impulsive = any(entry.surface.restitution >= 0.0 for entry in built)
+    impulsive = isinstance(built, Scene) or any(one.surface.restitution >= 0.0 for one in built)
     return World(built, Impulses(0.0) if impulsive else Forces(0.0), world.gravity)
 
 
@@ -311,8 +311,7 @@ def way_to_touch(model: Model, state: State) -> float:
     if not state.velocity @ state.velocity > 0.0:
         raise problem("must not be zero: start.touch_distance is along it", "start.velocity")
     direction = unit(state.velocity)
-    shapes = [one for one in model.world.obstacles if not isinstance(one.shape, SecondContact)]
-    ways = [_way_to(model, one, state, direction) for one in shapes]
+    ways = [_way_to(model, one, state, direction) for one in _one_by_one(model.world)]
     way = min(ways, default=math.inf)
     if way == math.inf:
         raise problem(
@@ -327,17 +326,25 @@ def _text(v: Vec) -> str:
     return f"[{', '.join(f'{part:.4g}' for part in v)}]"
 
 
-def _way_to(model: Model, obstacle: Obstacle, state: State, direction: Vec) -> float:
-    """Distance along a direction to the touch of one obstacle [m]; infinite without one."""
-    world = model.world._replace(obstacles=(obstacle,))
+def _one_by_one(world: World) -> list[World]:
+    """Worlds of one obstacle each: the same together; a scene is one."""
+    if isinstance(world.obstacles, Scene):
+        return [world]
+    shapes = [one for one in world.obstacles if not isinstance(one.shape, SecondContact)]
+    return [world._replace(obstacles=(one,)) for one in shapes]
+
+
+def _way_to(model: Model, world: World, state: State, direction: Vec) -> float:
+    """Distance along a direction to the touch of a world [m]; infinite without one."""
 
     def gap(way: float) -> float:
         there = state._replace(position=state.position + way * direction)
         return clearance(model.airframe, world, model.contact_point, there)
 
     here = gap(0.0)
-    if isinstance(obstacle.shape, Plane):
-        closing = -(obstacle.shape.normal @ direction)
+    shape = None if isinstance(world.obstacles, Scene) else world.obstacles[0].shape
+    if isinstance(shape, Plane):
+        closing = -(shape.normal @ direction)
         return here / closing if closing > PARALLEL else math.inf
     # A gap changes by no more than the way: steps as long as it is pass no obstacle by.
     sign, before, way, now = math.copysign(1.0, here), 0.0, 0.0, here

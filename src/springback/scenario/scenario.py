@@ -8,7 +8,7 @@ from typing import Any
 
 from pydantic import ValidationError, ValidationInfo, model_validator
 
-from springback.contact.parameters import Own
+from springback.contact.worlds import Own
 from springback.errors import InputError
 from springback.kernels.memo import Memo
 from springback.problems import dotted_path

@@ -8,7 +8,9 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, ConfigDict, Field, PlainValidator, model_validator
 
-from springback.contact.parameters import Ground, Mat, SurfaceSettings, Wall
+from springback.contact.parameters import SurfaceSettings
+from springback.contact.shapes import ShapeSettings
+from springback.contact.worlds import BuiltIn
 from springback.control.parameters import ControlSettings
 from springback.control.reference_parameters import ReferenceSettings
 from springback.dynamics.air import AirSettings
@@ -24,8 +26,9 @@ from springback.settings import Name, Settings, naming, problem
 from springback.user_code import Arguments, CodeName
 from springback.vehicle.parameters import Vehicle, check_moments
 
-#: Upper limit, to catch typing errors (chosen): a flight is compiled for each number of obstacles.
-MOST_OBSTACLES = 64
+#: Most planes and shapes of the user's own (chosen: a flight is compiled for each number of them),
+#: and most obstacles in all.
+MOST_OBSTACLES, MOST_SHAPES = 64, 10_000
 #: Largest deviation of a quaternion's length from 1 (chosen: the rounding of four decimals).
 UNIT_LENGTH = 1e-4
 
@@ -42,7 +45,7 @@ class UserShape(Settings):
 
 
 #: Any obstacle of a world.
-AnyObstacle = Annotated[Wall | Ground | Mat | UserShape, Field(discriminator="type")]
+AnyObstacle = Annotated[BuiltIn | UserShape, Field(discriminator="type")]
 
 
 class WorldSettings(Settings):
@@ -53,10 +56,18 @@ class WorldSettings(Settings):
 
     @model_validator(mode="after")
     def _countable(self) -> WorldSettings:
-        if len(self.obstacles) > MOST_OBSTACLES:
-            what = f"must be at most {MOST_OBSTACLES} (got {len(self.obstacles)})"
+        count, own = len(self.obstacles), self.of_own_structure()
+        if own > MOST_OBSTACLES:
+            what = f"must be at most {MOST_OBSTACLES} (got {own})"
             raise problem(what, "obstacles")
+        if count > MOST_SHAPES:
+            raise problem(f"must be at most {MOST_SHAPES} (got {count})", "obstacles")
         return self
+
+    def of_own_structure(self) -> int:
+        """Number of obstacles that each are a structure of their own to the compiler."""
+        planes = any(isinstance(entry, ShapeSettings) for entry in self.obstacles)
+        return sum(isinstance(entry, UserShape) or not planes for entry in self.obstacles)
 
 
 class Start(Settings):

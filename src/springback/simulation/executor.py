@@ -12,7 +12,8 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.contact.obstacles import Forces, Impulses, Obstacle, World
+from springback.contact.cage import per_face
+from springback.contact.obstacles import Forces, Impulses, World
 from springback.dynamics.crossing import NO_CROSSING, Crossing
 from springback.dynamics.energy import energy, locked_state
 from springback.dynamics.impulse import apply_impulses
@@ -213,13 +214,8 @@ def motion_of_body(motion: Motion, x: RigidState) -> Motion:
 
 
 @kernel
-def _apart(obstacle: Obstacle) -> float:
-    return 0.0
-
-
-@kernel
-def _far_arm(arm: Arm, length: float, room: float, obstacles: tuple[Obstacle, ...]) -> ArmView:
-    none, apart = Vec(0.0, 0.0, 0.0), tree_map(_apart, (obstacles,), ())
+def _far_arm(arm: Arm, length: float, room: float, obstacles: Any) -> ArmView:
+    none, apart = Vec(0.0, 0.0, 0.0), per_face(obstacles, 0.0)
     pressed = arm.length - length
     return ArmView(
         room, 0.0, 0.0, none, pressed, 0.0, Crossing(NO_CROSSING, 1.0), apart, 0.0, 0.0, 0.0
@@ -227,8 +223,8 @@ def _far_arm(arm: Arm, length: float, room: float, obstacles: tuple[Obstacle, ..
 
 
 @kernel
-def _far_hull(hull: Sphere, room: float, obstacles: tuple[Obstacle, ...]) -> HullView:
-    none, apart = Vec(0.0, 0.0, 0.0), tree_map(_apart, (obstacles,), ())
+def _far_hull(hull: Sphere, room: float, obstacles: Any) -> HullView:
+    none, apart = Vec(0.0, 0.0, 0.0), per_face(obstacles, 0.0)
     return HullView(room, 0.0, 0.0, none, Crossing(NO_CROSSING, 1.0), apart, 0.0)
 
 

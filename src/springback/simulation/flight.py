@@ -11,6 +11,7 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
+from springback.contact.cage import per_face
 from springback.dynamics.crossing import Crossing
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import ArmView, HullView, Motion, View, Work
@@ -82,8 +83,8 @@ def still_work() -> Work:
 def shape_of(model: Model, state: State) -> Shape:
     """Trees of a flight, whose structure is the layout of its buffers."""
     zero = Vec(0.0, 0.0, 0.0)
-    arms, obstacles = len(model.airframe.arms), len(model.world.obstacles)
-    hulls, apart = len(model.airframe.hull), (0.0,) * obstacles
+    arms, apart = len(model.airframe.arms), per_face(model.world.obstacles, 0.0)
+    hulls, obstacles = len(model.airframe.hull), len(apart)
     none = Crossing(0.0, 0.0)
     arm = ArmView(0.0, 0.0, 0.0, zero, 0.0, 0.0, none, apart, 0.0, 0.0, 0.0)
     hull = HullView(0.0, 0.0, 0.0, zero, none, apart, 0.0)

@@ -11,9 +11,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.contact.cage import BodyMotion, CageContact, body_motion, cage_contact
-from springback.contact.hull_contact import hull_contact
-from springback.contact.obstacles import Obstacle, World, obstacle_in_body_frame
+from springback.contact.cage import (
+    BodyMotion,
+    CageContact,
+    ContactFace,
+    body_motion,
+    contact_faces,
+    face_contact,
+    obstacles_in_body_frame,
+)
+from springback.contact.hull_contact import hull_contact, hull_faces
+from springback.contact.obstacles import World
 from springback.dynamics.energy import Energy, energy
 from springback.kernels.compiler import executor, kernel, user_executor
 from springback.kernels.layout import Buffer, TreeLayout, read, write
@@ -56,11 +64,9 @@ class Evaluation(NamedTuple):
 
 
 @kernel
-def _cage_load(
-    obstacle: Obstacle, contact_point: Any, radius: float, arm: Any, body: BodyMotion
-) -> PartLoad:
-    """Load of one obstacle on one cage, in body axes from the main body."""
-    return _load(cage_contact(obstacle, contact_point, radius, arm, body))
+def _cage_load(face: ContactFace, arm: Any, body: BodyMotion) -> PartLoad:
+    """Load of one face on one cage, in body axes from the main body."""
+    return _load(face_contact(face, 1.0, arm, body))
 
 
 @kernel
@@ -70,8 +76,8 @@ def _load(met: CageContact) -> PartLoad:
 
 
 @kernel
-def _sphere_load(obstacle: Obstacle, hull: Sphere, body: BodyMotion) -> PartLoad:
-    return _load(hull_contact(obstacle, 1.0, hull, body))
+def _sphere_load(face: ContactFace, hull: Sphere, body: BodyMotion) -> PartLoad:
+    return _load(hull_contact(face, 1.0, hull, body))
 
 
 @kernel
@@ -79,13 +85,13 @@ def _arm_load(
     arm: Arm,
     length: float,
     rate: float,
-    obstacles: tuple[Obstacle, ...],
+    obstacles: Any,
     contact_point: Any,
     body: BodyMotion,
 ) -> PartLoad:
     pose = arm_pose(arm, length, rate, body.velocity)
-    loads = tree_map(_cage_load, (obstacles,), (contact_point, arm.cage_radius, pose, body))
-    return _in_world(tree_sum(loads), body)
+    faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose)
+    return _in_world(tree_sum(tree_map(_cage_load, (faces,), (pose, body))), body)
 
 
 @kernel
@@ -96,15 +102,16 @@ def _in_world(p: PartLoad, body: BodyMotion) -> PartLoad:
 
 
 @kernel
-def _hull_load(hull: Sphere, obstacles: tuple[Obstacle, ...], body: BodyMotion) -> PartLoad:
-    return _in_world(tree_sum(tree_map(_sphere_load, (obstacles,), (hull, body))), body)
+def _hull_load(hull: Sphere, obstacles: Any, body: BodyMotion) -> PartLoad:
+    loads = tree_map(_sphere_load, (hull_faces(hull, obstacles),), (hull, body))
+    return _in_world(tree_sum(loads), body)
 
 
 @kernel
 def _evaluate(at: Instant) -> Evaluation:
     state = at.state
     body = body_motion(state, 0.0)
-    obstacles = tree_map(obstacle_in_body_frame, (at.world.obstacles,), (state.position, body.r))
+    obstacles = obstacles_in_body_frame(at.world.obstacles, state.position, body.r)
     arms = tree_map(
         _arm_load,
         (at.airframe.arms, state.arm_length, state.arm_rate),

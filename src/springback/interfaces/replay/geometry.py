@@ -7,7 +7,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.contact.parameters import Ground, Mat, Own, Wall
+from springback.contact.parameters import Ground, Mat, Wall
+from springback.contact.worlds import Own
 from springback.results.meshes import Mesh, surfaces_of
 
 Array = np.ndarray[Any, np.dtype[np.float64]]

@@ -22,7 +22,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.contact.parameters import Own
+from springback.contact.shapes import ShapeSettings
+from springback.contact.worlds import Own
 from springback.dynamics.motion import Slider
 from springback.errors import InputError
 from springback.interfaces.output.robots import robot_label
@@ -141,12 +142,13 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
     loads = load_history(model, c, places)
     touches = loads.point[np.isfinite(loads.point).all(axis=2)]
     place = np.stack([c[axis][places] for axis in "xyz"], axis=1)
-    walls = [e for e in flight.scenario.world.obstacles if not isinstance(e, UserShape)]
+    known = [e for e in flight.scenario.world.obstacles if not isinstance(e, UserShape)]
+    walls = [e for e in known if not isinstance(e, ShapeSettings)]
     things = drawables(walls, own, place, touches, flight.own_surfaces)
     thrust = _thrust(flight, model, c["t"][places])
     robot = flight.scenario.vehicle.name
     propulsion = flight.scenario.vehicle.propulsion
-    known = flight.summary()["units"]
+    named = flight.summary()["units"]
     return Scene(
         label=label or robot_label(robot),
         scenario=flight.scenario.name,
@@ -169,7 +171,7 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
         events=_time_line(flight),
         impacts=impacts_of(flight),
         measures=dict(flight.measures),
-        units={name: known[name] for name in flight.measures if name in known},
+        units={name: named[name] for name in flight.measures if name in named},
         departure=departure(c, count, places),
         notes=things.notes + _doubts(flight, loads, places),
     )

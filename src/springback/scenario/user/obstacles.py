@@ -14,7 +14,8 @@ from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
 from springback.contact.obstacles import outward_normal, signed_distance
-from springback.contact.parameters import Own, SurfaceSettings
+from springback.contact.parameters import SurfaceSettings
+from springback.contact.worlds import Own
 from springback.errors import InputError, shown_value
 from springback.kernels.tracing import traceable  # for batch set-up
 from springback.kernels.vectors import Vec, norm

@@ -1,0 +1,414 @@
+"""All solids of a world as one obstacle: the faces that a cage or a hull meets, found by a routine.
+
+However many solids there are, and of whatever kinds, the equations of motion see `FACES` faces for
+each part of a vehicle: those nearest to it.  Each half-space is one face.  All other solids
+together are one shape, whose distance is the least of theirs: a ring meets it at its two lowest
+points, a sphere at one, or at two that are apart.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from springback.contact.cage import (
+    ArmTip,
+    ContactFace,
+    NearestFace,
+    Ring,
+    Support,
+    cage_gap,
+    contact_faces,
+    face_along_normal,
+    face_of,
+    lowest_gap,
+    obstacles_in_body_frame,
+    per_face,
+    support,
+)
+from springback.contact.obstacles import (
+    InBodyFrame,
+    Obstacle,
+    Plane,
+    obstacle_in_body_frame,
+    outward_normal,
+    signed_distance,
+)
+from springback.contact.rings import FAR, LowPoint, lowest_on_ring, on_ring
+from springback.contact.scene.nearest import (
+    HALF_SPACES,
+    HEADER,
+    MOST_NEAR,
+    SOLIDS,
+    SURFACES,
+    NearSolids,
+    nearest_of,
+    nearest_solid,
+    row_of_near,
+    solids_within,
+)
+from springback.contact.scene.solids import (
+    AXES,
+    BOX,
+    CENTRE,
+    GROUND,
+    KIND,
+    ROUNDING,
+    SIZES,
+    SURFACE,
+    WIDTH,
+    Face,
+    solid_face,
+    vector_at,
+)
+from springback.contact.surfaces import AnyExponent, EitherTangents, Surface
+from springback.kernels.compiler import generic, kernel
+from springback.kernels.routines import Routine, call_routine, number_at
+from springback.kernels.trees import minimum, tree_map
+from springback.kernels.vectors import Mat3, Vec
+from springback.vehicle.state import ArmPose, Sphere
+
+#: Faces that one part of a vehicle can meet at the same time: a corner has three.
+FACES = 3
+#: Where only a clearance is asked for, gaps above this are lower bounds [m] (chosen).
+EXACT_BELOW = 0.3
+#: Two contact points of a sphere that are closer than this are one [m] (chosen).
+APART = 1e-3
+#: Tolerance within which a point of one solid is on the surface of all [m].
+ON_SURFACE = 1e-9
+
+#: Numbers of a surface.
+SURFACE_WIDTH = 8
+
+#: Kinds of parts, by number.
+RING, TIP, SPHERE = 0.0, 1.0, 2.0
+
+
+class Scene(NamedTuple):
+    """All built-in solids of a world, and the user's own shapes beside them."""
+
+    table: float  # address of the numbers
+    query: float  # address of `scene_faces`
+    own: tuple[Obstacle, ...]
+
+
+class SceneInBodyFrame(NamedTuple):
+    """A scene, viewed from a body."""
+
+    table: float
+    query: float
+    own: tuple[Obstacle, ...]  # in the body frame
+    position: Vec  # of the body, world [m]
+    r: Mat3  # body axes to world axes
+
+
+class Part(NamedTuple):
+    """A part of a vehicle for which faces are looked for."""
+
+    table: float
+    kind: float  # RING, TIP or SPHERE
+    rounding: float  # of a ring
+    radius: float  # [m]
+    pose: ArmPose
+    position: Vec  # of the main body, world [m]
+    r: Mat3  # body axes to world axes
+    exact: float  # 0: gaps above `EXACT_BELOW` may be lower bounds
+
+
+# -- faces ----------------------------------------------------------------------------------------
+
+
+class FoundFaces(NamedTuple):
+    """The faces found so far, nearest first."""
+
+    first: ContactFace
+    second: ContactFace
+    third: ContactFace
+
+
+@kernel
+def _surface_at(table: float, row: int) -> Surface:
+    k = int(number_at(table, SURFACES))
+    k += SURFACE_WIDTH * int(number_at(table, row + SURFACE))
+    return Surface(
+        number_at(table, k), number_at(table, k + 1), number_at(table, k + 2),
+        AnyExponent(number_at(table, k + 3)), number_at(table, k + 4),
+        EitherTangents(number_at(table, k + 5)), number_at(table, k + 6), number_at(table, k + 7),
+    )  # fmt: skip
+
+
+@kernel
+def _no_face() -> ContactFace:
+    none = Vec(0.0, 0.0, 0.0)
+    surface = Surface(
+        0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, EitherTangents(0.0), 1.0, -1.0
+    )  # fmt: skip
+    nearest = NearestFace(FAR, Vec(0.0, 0.0, 1.0), Support(none, none, none, 0.0))
+    return ContactFace(nearest, surface, 0.0)
+
+
+@kernel
+def no_faces() -> FoundFaces:
+    """No face within reach."""
+    return FoundFaces(_no_face(), _no_face(), _no_face())
+
+
+@kernel
+def _with_face(found: FoundFaces, table: float, row: int, nearest: NearestFace) -> FoundFaces:
+    """Faces with one more, if it is nearer than the farthest of them."""
+    gap = nearest.gap
+    if gap >= found.third.nearest.gap:
+        return found
+    new = ContactFace(nearest, _surface_at(table, row), number_at(table, row + GROUND))
+    if gap < found.first.nearest.gap:
+        return FoundFaces(new, found.first, found.second)
+    if gap < found.second.nearest.gap:
+        return FoundFaces(found.first, new, found.second)
+    return FoundFaces(found.first, found.second, new)
+
+
+@kernel
+def _on_plane(part: Part, plane: Plane) -> NearestFace:
+    """Face of a plane in the body frame."""
+    pose = part.pose
+    if part.kind == RING:
+        return face_along_normal(plane, Ring(part.rounding), part.radius, pose)
+    if part.kind == TIP:
+        return face_along_normal(plane, ArmTip(0.0), part.radius, pose)
+    return _of_sphere(Face(signed_distance(plane, pose.lever), plane.normal), part.radius)
+
+
+@kernel
+def _of_sphere(there: Face, radius: float) -> NearestFace:
+    """Face that a sphere meets, by the distance and normal at its centre, body axes."""
+    lever = there.normal * -radius
+    return NearestFace(there.gap - radius, -there.normal, Support(lever, lever, lever, 0.0))
+
+
+@kernel
+def _plane_in_body_frame(part: Part, normal: Vec, point: Vec) -> Plane:
+    """Plane through a point of the world."""
+    return Plane(normal @ part.r, normal @ (point - part.position))
+
+
+@kernel
+def _with_half_spaces(found: FoundFaces, part: Part) -> FoundFaces:
+    table = part.table
+    for k in range(int(number_at(table, HALF_SPACES))):
+        row = HEADER + WIDTH * k
+        normal, point = vector_at(table, row + AXES + 6), vector_at(table, row + CENTRE)
+        nearest = _on_plane(part, _plane_in_body_frame(part, normal, point))
+        found = _with_face(found, table, row, nearest)
+    return found
+
+
+@kernel
+def _ring_on_box(part: Part, row: int, centre: Vec) -> NearestFace:
+    """Face of a box over which the whole of a ring is; `FAR` if there is none."""
+    table, half, radius = part.table, vector_at(part.table, row + SIZES), part.radius
+    relative = centre - vector_at(table, row + CENTRE)
+    ex, ey = vector_at(table, row + AXES), vector_at(table, row + AXES + 3)
+    ez, edge = vector_at(table, row + AXES + 6), number_at(table, row + ROUNDING)
+    q = Vec(ex @ relative, ey @ relative, ez @ relative)
+    u = Vec(abs(q.x) - half.x, abs(q.y) - half.y, abs(q.z) - half.z)
+    over_x, over_y, over_z = u.x <= -radius, u.y <= -radius, u.z <= -radius
+    if number_at(table, row + KIND) == BOX:
+        if over_x & over_y & (u.z >= u.x) & (u.z >= u.y):
+            n = ez if q.z > 0.0 else -ez
+            return _on_face(part, row, n, half.z + edge)
+        if over_x & over_z & (u.y >= u.x) & (u.y >= u.z):
+            n = ey if q.y > 0.0 else -ey
+            return _on_face(part, row, n, half.y + edge)
+        if over_y & over_z & (u.x >= u.y) & (u.x >= u.z):
+            n = ex if q.x > 0.0 else -ex
+            return _on_face(part, row, n, half.x + edge)
+    return _no_face().nearest
+
+
+@kernel
+def _on_face(part: Part, row: int, normal: Vec, height: float) -> NearestFace:
+    """Face of a solid at some height above its centre [m], as part of a plane."""
+    point = vector_at(part.table, row + CENTRE) + height * normal
+    return _on_plane(part, _plane_in_body_frame(part, normal, point))
+
+
+@kernel
+def _at_low_point(view: InBodyFrame, part: Part, low: LowPoint) -> NearestFace:
+    lever = Vec(part.radius * low.towards.x, part.radius * low.towards.y, 0.0)
+    inward = -outward_normal(view, on_ring(part.pose.lever, part.radius, low.towards))
+    return NearestFace(low.gap, inward, Support(lever, lever, lever, 0.0))
+
+
+@kernel
+def _with_ring(found: FoundFaces, part: Part, near: NearSolids, centre: Vec) -> FoundFaces:
+    """Faces with those that a ring meets on solids."""
+    if near.number == 1:
+        row = row_of_near(near, 0)
+        whole = _ring_on_box(part, row, centre)
+        if whole.gap < FAR:
+            return _with_face(found, part.table, row, whole)
+    view = InBodyFrame(near, part.position, part.r)
+    low = lowest_on_ring(view, part.pose.lever, part.radius, part.pose.direction)
+    for k in range(2):
+        point = low.first if k == 0 else low.second
+        if point.gap < FAR:
+            at = on_ring(part.pose.lever, part.radius, point.towards)
+            row = nearest_of(near, part.position + part.r @ at).row
+            found = _with_face(found, part.table, row, _at_low_point(view, part, point))
+    return found
+
+
+@kernel
+def _with_tip(found: FoundFaces, part: Part, near: NearSolids, centre: Vec) -> FoundFaces:
+    """Faces with the one that the paper's contact point meets on solids."""
+    row, pose = nearest_of(near, centre).row, part.pose
+    n = -(solid_face(part.table, row, centre).normal @ part.r)
+    at = support(ArmTip(0.0), n, pose.direction, part.radius)
+    there = nearest_of(near, centre + part.r @ at.point)
+    return _with_face(found, part.table, there.row, NearestFace(there.gap, n, at))
+
+
+@kernel
+def _is_exposed(near: NearSolids, row: int, point: Vec) -> bool:
+    """True if a point on the surface of a solid is inside no other one."""
+    exposed = True
+    for k in range(near.number):
+        other = row_of_near(near, k)
+        if other != row and solid_face(near.table, other, point).gap < -ON_SURFACE:
+            exposed = False
+    return exposed
+
+
+@kernel
+def _with_sphere(found: FoundFaces, part: Part, near: NearSolids, centre: Vec) -> FoundFaces:
+    """Faces with those that a sphere meets: the nearest solid, and the next one apart from it."""
+    table = part.table
+    nearest = nearest_of(near, centre).row
+    first = solid_face(table, nearest, centre)
+    touched = centre - first.gap * first.normal
+    in_body = Face(first.gap, first.normal @ part.r)
+    found = _with_face(found, table, nearest, _of_sphere(in_body, part.radius))
+    second, second_row = first, -1
+    for k in range(near.number if near.number <= MOST_NEAR else 0):
+        row = row_of_near(near, k)
+        there = solid_face(table, row, centre)
+        point = centre - there.gap * there.normal
+        apart = point - touched
+        nearer = second_row < 0 or there.gap < second.gap
+        is_apart = row != nearest and apart @ apart > APART * APART
+        if nearer and is_apart and _is_exposed(near, row, point):
+            second, second_row = there, row
+    if second_row >= 0:
+        in_body = Face(second.gap, second.normal @ part.r)
+        found = _with_face(found, table, second_row, _of_sphere(in_body, part.radius))
+    return found
+
+
+@kernel
+def scene_faces(part: Part) -> FoundFaces:
+    """The faces that a part of a vehicle meets, or is next to, in body axes."""
+    table = part.table
+    found = _with_half_spaces(no_faces(), part)
+    if number_at(table, SOLIDS) > 0.0:
+        centre = part.position + part.r @ part.pose.lever
+        nearest = nearest_solid(table, centre)
+        bound = nearest.gap - part.radius
+        if (part.exact == 0.0) & (bound > EXACT_BELOW):
+            there = solid_face(table, nearest.row, centre)
+            in_body = Face(there.gap, there.normal @ part.r)
+            return _with_face(found, table, nearest.row, _of_sphere(in_body, part.radius))
+        near = solids_within(table, centre, nearest.gap + 2.0 * part.radius)
+        if part.kind == RING:
+            return _with_ring(found, part, near, centre)
+        if part.kind == TIP:
+            return _with_tip(found, part, near, centre)
+        return _with_sphere(found, part, near, centre)
+    return found
+
+
+def _blank_part() -> Part:
+    none = Vec(0.0, 0.0, 0.0)
+    pose = ArmPose(none, none, none)
+    return Part(0.0, 0.0, 0.0, 0.0, pose, none, Mat3(none, none, none), 0.0)
+
+
+#: `scene_faces`, compiled once for all vehicles and worlds.
+SCENE_FACES = Routine(scene_faces, _blank_part())
+
+
+def distance_of(scene: Scene, point: Vec) -> float:
+    """Distance of a point from the nearest obstacle of a scene [m]."""
+    table = scene.table
+    rows = (HEADER + WIDTH * k for k in range(int(number_at(table, HALF_SPACES))))
+    gaps = [solid_face(table, row, point).gap for row in rows]
+    gaps += [signed_distance(one.shape, point) for one in scene.own]
+    return min([nearest_solid(table, point).gap, *gaps])
+
+
+@generic
+def part_numbers(contact_point: Any) -> tuple[float, float]:
+    """Kind of a part of a vehicle as a number, and the rounding of a ring."""
+    raise TypeError(f"{type(contact_point).__name__} is not a contact point model")
+
+
+@part_numbers.register(Ring)
+@kernel
+def _ring_numbers(ring: Ring) -> tuple[float, float]:
+    return RING, ring.rounding
+
+
+@part_numbers.register(ArmTip)
+@kernel
+def _tip_numbers(tip: ArmTip) -> tuple[float, float]:
+    return TIP, 0.0
+
+
+@part_numbers.register(Sphere)
+@kernel
+def _sphere_numbers(hull: Sphere) -> tuple[float, float]:
+    return SPHERE, 0.0
+
+
+@kernel
+def _found_faces(
+    scene: SceneInBodyFrame, contact_point: Any, radius: float, arm: ArmPose, exact: float
+) -> FoundFaces:
+    kind, rounding = part_numbers(contact_point)
+    part = Part(scene.table, kind, rounding, radius, arm, scene.position, scene.r, exact)
+    return call_routine(scene.query, part, no_faces())
+
+
+@obstacles_in_body_frame.register(Scene)
+@kernel
+def _scene_in_body_frame(scene: Scene, position: Vec, r: Mat3) -> SceneInBodyFrame:
+    own = tree_map(obstacle_in_body_frame, (scene.own,), (position, r))
+    return SceneInBodyFrame(scene.table, scene.query, own, position, r)
+
+
+@contact_faces.register(SceneInBodyFrame)
+@kernel
+def _scene_contact_faces(
+    scene: SceneInBodyFrame, contact_point: Any, radius: float, arm: ArmPose
+) -> tuple[ContactFace, ...]:
+    found = _found_faces(scene, contact_point, radius, arm, 1.0)
+    own = tree_map(face_of, (scene.own,), (contact_point, radius, arm))
+    return (found.first, found.second, found.third) + own  # noqa: RUF005
+
+
+@lowest_gap.register(SceneInBodyFrame)
+@kernel
+def _scene_gap(scene: SceneInBodyFrame, contact_point: Any, radius: float, arm: ArmPose) -> float:
+    found = _found_faces(scene, contact_point, radius, arm, 0.0)
+    own = tree_map(cage_gap, (scene.own,), (contact_point, radius, arm))
+    return minimum((found.first.nearest.gap,) + own)  # noqa: RUF005
+
+
+@per_face.register(Scene)
+@kernel
+def _per_scene_face(scene: Scene, value: float) -> tuple[float, ...]:
+    return (value, value, value) + per_face(scene.own, value)  # noqa: RUF005
+
+
+@per_face.register(SceneInBodyFrame)
+@kernel
+def _per_face_in_body_frame(scene: SceneInBodyFrame, value: float) -> tuple[float, ...]:
+    return (value, value, value) + per_face(scene.own, value)  # noqa: RUF005

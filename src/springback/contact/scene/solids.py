@@ -1,0 +1,215 @@
+"""Solids: signed distance and normal of the built-in shapes, with numbers read from a table.
+
+A solid is a row of a table, its kind a number, so that every world of built-in shapes is one
+structure to the compiler.  A row has a place, an orientation, up to six sizes, and the radius by
+which its edges are rounded: sizes are those of the shape before it is rounded, smaller by that
+radius on all sides.  Distances are exact outside; inside, they are exact to the nearest part of the
+surface.  I. Quilez, "Distance functions", gives some of the formulas; the tests compare each with
+sampled surfaces.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from springback.kernels.compiler import kernel
+from springback.kernels.routines import number_at
+from springback.kernels.vectors import Vec
+
+#: Columns of a row: kind, centre, the three axes of the solid in world axes, sizes, radius of the
+#: rounded edges, surface, flag of the ground, and number of the obstacle that it belongs to.
+KIND, CENTRE, AXES, SIZES, ROUNDING, SURFACE, GROUND, OWNER, WIDTH = 0, 1, 4, 13, 19, 20, 21, 22, 24
+
+#: Kinds, and what their sizes are, along the solid's own axes.
+HALF_SPACE = 0.0  # fills z < 0
+BOX = 1.0  # half lengths along x, y and z
+CAPSULE = 2.0  # half length of the axis, along z, and radius; a sphere if it is zero
+FRUSTUM = 3.0  # radius at the bottom and at the top, half height along z
+TORUS = 4.0  # radius of the axis, around z, and of the tube
+WINDOW = (
+    5.0  # half width (x), half height (y), half thickness (z); of the opening: half width, half
+)
+# height, and height of its centre
+ROUND_WINDOW = 6.0  # half width, half height, half thickness; radius of the opening, in the middle
+
+#: Length below which a direction is undefined [m].
+TINY = 1e-150
+
+
+class Face(NamedTuple):
+    """Distance of a point from a solid, and the outward normal there."""
+
+    gap: float  # [m]; negative inside
+    normal: Vec
+
+
+class Flat(NamedTuple):
+    """Distance of a point from a shape in a plane, and its gradient."""
+
+    gap: float
+    x: float
+    y: float
+
+
+@kernel
+def vector_at(table: float, k: int) -> Vec:
+    """Three numbers of a table."""
+    return Vec(number_at(table, k), number_at(table, k + 1), number_at(table, k + 2))
+
+
+@kernel
+def _sign(x: float) -> float:
+    return 1.0 if x >= 0.0 else -1.0
+
+
+@kernel
+def _profile(a: float, b: float) -> Flat:
+    """Quadrant a < 0 and b < 0: distance, and gradient along a and b."""
+    out_a, out_b = a if a > 0.0 else 0.0, b if b > 0.0 else 0.0
+    length = math.sqrt(out_a * out_a + out_b * out_b)
+    if length > TINY:
+        inverse = 1.0 / length
+        return Flat(length, out_a * inverse, out_b * inverse)
+    return Flat(a, 1.0, 0.0) if a > b else Flat(b, 0.0, 1.0)
+
+
+@kernel
+def _rectangle(x: float, y: float, half_x: float, half_y: float) -> Flat:
+    found = _profile(abs(x) - half_x, abs(y) - half_y)
+    return Flat(found.gap, found.x * _sign(x), found.y * _sign(y))
+
+
+@kernel
+def _box(q: Vec, half: Vec) -> Face:
+    u = Vec(abs(q.x) - half.x, abs(q.y) - half.y, abs(q.z) - half.z)
+    out = Vec(
+        u.x if u.x > 0.0 else 0.0, u.y if u.y > 0.0 else 0.0, u.z if u.z > 0.0 else 0.0
+    )  # fmt: skip
+    length = math.sqrt(out @ out)
+    sx, sy, sz = _sign(q.x), _sign(q.y), _sign(q.z)
+    if length > TINY:
+        inverse = 1.0 / length
+        return Face(length, Vec(sx * out.x * inverse, sy * out.y * inverse, sz * out.z * inverse))
+    if u.z >= u.x and u.z >= u.y:
+        return Face(u.z, Vec(0.0, 0.0, sz))
+    return Face(u.x, Vec(sx, 0.0, 0.0)) if u.x >= u.y else Face(u.y, Vec(0.0, sy, 0.0))
+
+
+@kernel
+def _capsule(q: Vec, half: float, radius: float) -> Face:
+    along = half if q.z > half else (-half if q.z < -half else q.z)
+    v = Vec(q.x, q.y, q.z - along)
+    length = math.sqrt(v @ v)
+    normal = v * (1.0 / length) if length > TINY else Vec(1.0, 0.0, 0.0)
+    return Face(length - radius, normal)
+
+
+@kernel
+def _about_axis(q: Vec, rho: float, found: Flat) -> Face:
+    """Face of a body of revolution, from its section through the axis: along ρ and z."""
+    if rho > TINY:
+        outward = found.x / rho
+        return Face(found.gap, Vec(outward * q.x, outward * q.y, found.y))
+    return Face(found.gap, Vec(found.x, 0.0, found.y))
+
+
+@kernel
+def _frustum(q: Vec, bottom: float, top: float, half: float) -> Face:
+    """A convex polygon, turned about z: bottom, side and top."""
+    rho = math.sqrt(q.x * q.x + q.y * q.y)
+    dx, dz = top - bottom, 2.0 * half
+    inverse = 1.0 / math.sqrt(dx * dx + dz * dz)
+    nx, nz = dz * inverse, -dx * inverse  # out of the side
+    below, above = -half - q.z, q.z - half
+    aside = nx * (rho - bottom) + nz * (q.z + half)
+    if below <= 0.0 and above <= 0.0 and aside <= 0.0:
+        if aside >= below and aside >= above:
+            return _about_axis(q, rho, Flat(aside, nx, nz))
+        level = Flat(below, 0.0, -1.0) if below > above else Flat(above, 0.0, 1.0)
+        return _about_axis(q, rho, level)
+    t = ((rho - bottom) * dx + (q.z + half) * dz) * inverse * inverse
+    t = 0.0 if t < 0.0 else (1.0 if t > 1.0 else t)
+    sx, sz = rho - (bottom + t * dx), q.z - (-half + t * dz)
+    bx, bz = rho - (rho if rho < bottom else bottom), q.z + half
+    ax, az = rho - (rho if rho < top else top), q.z - half
+    side, low, high = sx * sx + sz * sz, bx * bx + bz * bz, ax * ax + az * az
+    vx, vz, square = sx, sz, side
+    if low < square:
+        vx, vz, square = bx, bz, low
+    if high < square:
+        vx, vz, square = ax, az, high
+    length = math.sqrt(square)
+    scale = 1.0 / length if length > TINY else 0.0
+    return _about_axis(q, rho, Flat(length, vx * scale, vz * scale))
+
+
+@kernel
+def _torus(q: Vec, radius: float, tube: float) -> Face:
+    rho = math.sqrt(q.x * q.x + q.y * q.y)
+    x, z = rho - radius, q.z
+    length = math.sqrt(x * x + z * z)
+    scale = 1.0 / length if length > TINY else 0.0
+    return _about_axis(q, rho, Flat(length - tube, x * scale, z * scale))
+
+
+@kernel
+def _plate(q: Vec, half_thickness: float, section: Flat) -> Face:
+    """A shape in the plane of x and y, of some thickness along z."""
+    found = _profile(section.gap, abs(q.z) - half_thickness)
+    return Face(
+        found.gap, Vec(found.x * section.x, found.x * section.y, found.y * _sign(q.z))
+    )  # fmt: skip
+
+
+@kernel
+def _cut(outline: Flat, opening: Flat) -> Flat:
+    """An outline without an opening."""
+    return outline if outline.gap > -opening.gap else Flat(-opening.gap, -opening.x, -opening.y)
+
+
+@kernel
+def _disc(x: float, y: float, radius: float) -> Flat:
+    rho = math.sqrt(x * x + y * y)
+    scale = 1.0 / rho if rho > TINY else 0.0
+    return Flat(rho - radius, x * scale, y * scale)
+
+
+@kernel
+def _local_face(table: float, row: int, kind: float, q: Vec) -> Face:
+    """Face of a solid before its edges are rounded, in its own axes."""
+    a, b = number_at(table, row + SIZES), number_at(table, row + SIZES + 1)
+    if kind == CAPSULE:
+        return _capsule(q, a, b)
+    c = number_at(table, row + SIZES + 2)
+    if kind == BOX:
+        return _box(q, Vec(a, b, c))
+    if kind == FRUSTUM:
+        return _frustum(q, a, b, c)
+    if kind == TORUS:
+        return _torus(q, a, b)
+    outline, d = _rectangle(q.x, q.y, a, b), number_at(table, row + SIZES + 3)
+    if kind == WINDOW:
+        e, f = number_at(table, row + SIZES + 4), number_at(table, row + SIZES + 5)
+        return _plate(q, c, _cut(outline, _rectangle(q.x, q.y - f, d, e)))
+    return _plate(q, c, _cut(outline, _disc(q.x, q.y, d)))
+
+
+@kernel
+def solid_face(table: float, row: int, point: Vec) -> Face:
+    """Distance of a point from a solid, and the outward normal there; world axes.
+
+    Args:
+        table: Of the world.
+        row: Position of the solid's first number.
+        point: [m].
+    """
+    kind = number_at(table, row + KIND)
+    relative = point - vector_at(table, row + CENTRE)
+    ez = vector_at(table, row + AXES + 6)
+    if kind == HALF_SPACE:
+        return Face(ez @ relative, ez)
+    ex, ey = vector_at(table, row + AXES), vector_at(table, row + AXES + 3)
+    found = _local_face(table, row, kind, Vec(ex @ relative, ey @ relative, ez @ relative))
+    n = found.normal
+    return Face(found.gap - number_at(table, row + ROUNDING), ex * n.x + ey * n.y + ez * n.z)

@@ -1,0 +1,94 @@
+"""Obstacles of a world, built from their settings: planes one by one, or all solids as a scene.
+
+Each number of planes, with its laws, is a structure of its own to the compiler, and the fastest; a
+scene is one structure whatever it holds (docs/decisions/0027).  A world becomes a scene with its
+first obstacle that is not plane.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Annotated, Any
+
+from pydantic import Field
+
+from springback.contact.obstacles import Obstacle, Plane, SecondContact
+from springback.contact.parameters import Ground, Mat, SurfaceSettings, Wall, faces
+from springback.contact.scene.faces import Scene
+from springback.contact.scene.table import MOST_SOLIDS, Solid, scene_of
+from springback.contact.shapes import Shape, ShapeSettings, half_space, solids_of
+from springback.contact.surfaces import AnyExponent, Linear, ThreeHalves
+from springback.kernels.vectors import Vec
+from springback.settings import problem
+
+#: Any obstacle of springback's own.
+BuiltIn = Wall | Ground | Mat | Shape
+ObstacleSettings = Annotated[BuiltIn, Field(discriminator="type")]
+
+#: A user's own shape, registered with `signed_distance` and `outward_normal`, and its surface.
+Own = tuple[Any, SurfaceSettings]
+
+
+def _exponent_type(values: list[float]) -> type[Any]:
+    """The exponent type common to all faces, so that they form one compiled structure."""
+    if all(value == 1.5 for value in values):
+        return ThreeHalves
+    if all(value == 1.0 for value in values):
+        return Linear
+    return AnyExponent
+
+
+def obstacles(
+    settings: Sequence[BuiltIn], own: Sequence[Own] = (), *, as_scene: bool = False
+) -> tuple[Obstacle, ...] | Scene:
+    """Numbers of all obstacles; if there are none, a face out of reach.
+
+    Args:
+        settings: Obstacles of springback's own.
+        own: The user's own shapes.
+        as_scene: True makes a scene of planes alone, too.
+
+    Raises:
+        The problem, if there are too many.
+    """
+    if as_scene or any(isinstance(entry, ShapeSettings) for entry in settings):
+        return _scene(settings, own)
+    planes = [entry for entry in settings if not isinstance(entry, ShapeSettings)]
+    all_faces: list[tuple[Any, SurfaceSettings, float]] = []
+    all_faces += [face for entry in planes for face in faces(entry)]
+    all_faces += _own_faces(own)
+    exponent = _exponent_type([surface.exponent_value() for _, surface, _ in all_faces])
+    if not all_faces:
+        nowhere = SurfaceSettings(law="hertz").surface(ThreeHalves)
+        return (Obstacle(Plane(Vec(0.0, 0.0, 1.0), -1e9), nowhere, 0.0),)
+    return tuple(
+        Obstacle(shape, surface.surface(exponent), ground) for shape, surface, ground in all_faces
+    )
+
+
+def _own_faces(own: Sequence[Own]) -> list[tuple[Any, SurfaceSettings, float]]:
+    """Shapes of the user's own; a ring can touch one that is not plane at two points."""
+    found = [(shape, surface, 0.0) for shape, surface in own]
+    curved = [(s, surface) for s, surface in own if not isinstance(s, Plane)]
+    return found + [(SecondContact(s), surface, 0.0) for s, surface in curved]
+
+
+def _scene(settings: Sequence[BuiltIn], own: Sequence[Own]) -> Scene:
+    """All obstacles as a scene."""
+    laws: dict[SurfaceSettings, int] = {}
+    solids: list[Solid] = []
+    for owner, entry in enumerate(settings):
+        if isinstance(entry, ShapeSettings):
+            solids += solids_of(entry, laws.setdefault(entry.surface, len(laws)), owner)
+            continue
+        for plane, law, ground in faces(entry):
+            surface = laws.setdefault(law, len(laws))
+            solids.append(Solid(*half_space(plane.normal, plane.offset), surface, ground, owner))
+    if len(solids) > MOST_SOLIDS:
+        raise problem(f"hold {len(solids)} solids; the most is {MOST_SOLIDS}", "world.obstacles")
+    surfaces = [law.surface(AnyExponent, by_number=True) for law in laws]
+    beside = tuple(
+        Obstacle(shape, law.surface(AnyExponent, by_number=True), ground)
+        for shape, law, ground in _own_faces(own)
+    )
+    return scene_of(solids, surfaces, beside)

@@ -1,0 +1,158 @@
+"""Kernels compiled once, apart from their callers, and tables of numbers, both by address.
+
+An inlined kernel is compiled again by everything that uses it.  One that is long, and rarely needed
+by several lanes at once, is compiled by itself, as a `Routine`, and called: its callers compile as
+if it were not there, and are the same for whatever it does.  Routines read what has no fixed size,
+such as a world of many obstacles, from a `NumberTable`.
+
+Compiled code knows both by their address in memory, which a tree holds as a float: an address is
+below 2⁵³, so it is kept exactly.
+"""
+
+from __future__ import annotations
+
+import weakref
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, TypeVar
+
+import numba
+import numpy as np
+from llvmlite import ir
+from numba import types
+
+from springback.kernels.compiler import cache_folder, compile_apart, compiler_rule
+
+T = TypeVar("T")
+
+_intrinsic: Any = numba.extending.intrinsic
+_typeof: Any = numba.typeof
+_unliteral: Any = types.unliteral
+
+Numbers = np.ndarray[Any, np.dtype[np.float64]]
+
+
+class NumberTable(float):
+    """Address of an array of floats, which lives at least as long as this object."""
+
+    numbers: Numbers
+
+    def __new__(cls, numbers: Numbers) -> NumberTable:
+        """A table of these numbers, which are copied."""
+        kept = np.array(numbers, dtype=np.float64).ravel()
+        kept.setflags(write=False)
+        table = super().__new__(cls, kept.ctypes.data)
+        table.numbers = kept
+        _TABLES[float(table)] = kept
+        for keeper in _KEEPERS:
+            keeper.append(kept)
+        return table
+
+
+#: Arrays of all tables by address, while anyone holds them.
+_TABLES: weakref.WeakValueDictionary[float, Numbers] = weakref.WeakValueDictionary()
+#: Lists that hold every table that is made.
+_KEEPERS: list[list[Numbers]] = []
+
+
+@contextmanager
+def tables_held() -> Iterator[None]:
+    """Context that holds all tables made within it: buffers know them by their addresses only."""
+    keeper: list[Numbers] = []
+    _KEEPERS.append(keeper)
+    try:
+        yield
+    finally:
+        _KEEPERS.remove(keeper)
+
+
+def number_at(table: float, k: int) -> float:
+    """Number ``k`` of a table."""
+    return float(_TABLES[table][k])
+
+
+def _number_pointer(context: Any, builder: Any, address: Any, k: Any) -> Any:
+    whole = builder.fptoui(address, ir.IntType(64))
+    base = builder.inttoptr(whole, ir.DoubleType().as_pointer())
+    return builder.gep(base, [k])
+
+
+@_intrinsic  # type: ignore[untyped-decorator]
+def _load_number(typing_context: Any, table: Any, k: Any) -> Any:
+    def lower(context: Any, builder: Any, signature: Any, given: Any) -> Any:
+        return builder.load(_number_pointer(context, builder, *given))
+
+    return types.float64(types.float64, types.int64), lower
+
+
+@compiler_rule(number_at)
+def _number_at(table: Any, k: Any) -> Any:
+    return lambda table, k: _load_number(table, k)
+
+
+class Routine:
+    """A kernel that is compiled once for all its callers, and called by its address."""
+
+    def __init__(self, function: Callable[[Any], Any], arguments: Any) -> None:
+        """A routine; it is compiled, or read from the cache, when its address is first asked for.
+
+        Args:
+            function: Of one tree, returning a tree; a kernel.
+            arguments: A tree of the shape of the argument.
+        """
+        self.function = function
+        self._arguments = arguments
+        self._address: float | None = None
+        self._compiled: Any = None
+
+    @property
+    def address(self) -> float:
+        """Address of the compiled code, as a float."""
+        if self._address is None:
+            signature = (_typeof(self._arguments),)
+            self._compiled = compile_apart(self.function, signature, cache_folder())
+            self._address = float(self._compiled.address)
+            _ROUTINES[self._address] = self
+        return self._address
+
+
+#: Routines by address; none is ever unloaded.
+_ROUTINES: dict[float, Routine] = {}
+
+
+def call_routine(address: float, argument: Any, like: T) -> T:
+    """Result of the routine at an address.
+
+    Args:
+        address: `Routine.address`.
+        argument: A tree of floats, of the shape that the routine was made for.
+        like: A tree of the shape of the result.
+    """
+    result: T = _ROUTINES[address].function(argument)
+    return result
+
+
+@_intrinsic  # type: ignore[untyped-decorator]
+def _call_at(typing_context: Any, address: Any, argument: Any, like: Any) -> Any:
+    result = _floats(like)
+
+    def lower(context: Any, builder: Any, signature: Any, given: Any) -> Any:
+        kinds = (_floats(signature.args[1]),)
+        wanted = context.call_conv.get_function_type(result, kinds).as_pointer()
+        whole = builder.fptoui(given[0], ir.IntType(64))
+        callee = builder.inttoptr(whole, wanted)
+        value = context.cast(builder, given[1], signature.args[1], kinds[0])
+        _, found = context.call_conv.call_function(builder, callee, result, kinds, [value])
+        return found
+
+    return result(types.float64, argument, like), lower
+
+
+def _floats(tree: Any) -> Any:
+    """Type of a tree with literals taken as the floats that they are."""
+    return _unliteral(tree)
+
+
+@compiler_rule(call_routine)
+def _call_routine(address: Any, argument: Any, like: Any) -> Any:
+    return lambda address, argument, like: _call_at(address, argument, like)
