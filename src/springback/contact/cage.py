@@ -18,7 +18,7 @@ from springback.contact.obstacles import (
     outward_normal,
     signed_distance,
 )
-from springback.contact.rings import FAR, LowPoint, lowest_on_ring, on_ring
+from springback.contact.rings import FAR, LowPoint, lowest_on_ring
 from springback.contact.step_bounds import (
     ContactStiffness,
     FrictionDamping,
@@ -28,7 +28,7 @@ from springback.contact.step_bounds import (
 from springback.contact.surfaces import Surface, friction_force, normal_force, rubbing
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import minimum, tree_map
-from springback.kernels.vectors import Mat3, Vec, larger, rotation
+from springback.kernels.vectors import Mat3, Vec, larger, norm, rotation
 from springback.vehicle.state import ArmPose, State
 
 #: A gap closer to zero than this counts as zero [m].
@@ -167,6 +167,7 @@ class NearestFace(NamedTuple):
     gap: float  # positive apart, negative in penetration [m]
     inward: Vec  # unit normal into the obstacle
     at: Support
+    steepness: float  # of the gap: its change by a motion of the point along the normal, up to 1
 
 
 @generic
@@ -215,16 +216,18 @@ def _ring_faces(model: Ring, shape: Any, radius: float, arm: ArmPose) -> Nearest
     """The two lowest points of the ring, found by search; no rounding is needed."""
     found = lowest_on_ring(shape, arm.lever, radius, arm.direction)
     return NearestFaces(
-        _at_low(shape, radius, arm.lever, found.first),
-        _at_low(shape, radius, arm.lever, found.second),
+        at_low_point(radius, found.first),
+        at_low_point(radius, found.second),
     )
 
 
 @kernel
-def _at_low(shape: Any, radius: float, centre: Vec, low: LowPoint) -> NearestFace:
+def at_low_point(radius: float, low: LowPoint) -> NearestFace:
+    """Face that a ring meets at one of its lowest points."""
     lever = Vec(radius * low.towards.x, radius * low.towards.y, 0.0)
-    inward = -outward_normal(shape, on_ring(centre, radius, low.towards))
-    return NearestFace(low.gap, inward, Support(lever, lever, lever, 0.0))
+    steepness = norm(low.normal)
+    inward = low.normal * (-1.0 / steepness)
+    return NearestFace(low.gap, inward, Support(lever, lever, lever, 0.0), steepness)
 
 
 @nearest_faces.register(ArmTip)
@@ -232,7 +235,7 @@ def _at_low(shape: Any, radius: float, centre: Vec, low: LowPoint) -> NearestFac
 def _tip_faces(model: ArmTip, shape: Any, radius: float, arm: ArmPose) -> NearestFaces:
     """The single contact point of the paper."""
     there = face_along_normal(shape, model, radius, arm)
-    return NearestFaces(there, NearestFace(FAR, there.inward, there.at))
+    return NearestFaces(there, NearestFace(FAR, there.inward, there.at, 1.0))
 
 
 @kernel
@@ -244,7 +247,7 @@ def face_along_normal(shape: Any, contact_point: Any, radius: float, arm: ArmPos
     """
     n = -outward_normal(shape, arm.lever)
     at = support(contact_point, n, arm.direction, radius)
-    return NearestFace(signed_distance(shape, arm.lever + at.point) + at.inset, n, at)
+    return NearestFace(signed_distance(shape, arm.lever + at.point) + at.inset, n, at, 1.0)
 
 
 @kernel
@@ -345,24 +348,25 @@ def face_contact(face: ContactFace, engaged: float, arm: ArmPose, body: BodyMoti
         body: Motion of the main body.
     """
     surface, end, omega = face.surface, arm.lever, body.omega
-    gap, n, at = face.nearest
+    gap, n, at, steepness = face.nearest
     pressing, rubbing_at = end + at.normal_lever, end + at.friction_lever
-    rate = (arm.sliding + (omega ^ pressing)) @ n  # δ̇, positive in compression
+    rate = steepness * ((arm.sliding + (omega ^ pressing)) @ n)  # δ̇, positive in compression
     # A step ends on the face to within rounding; a law with a jump there must act at once.
     touches = (gap < -AT_TOUCH) | ((gap <= LANDED) & (rate > 0.0))
     depth = larger(-gap, AT_TOUCH) if touches & (engaged > 0.0) else 0.0
     pressed = normal_force(surface, depth, rate, body.ahead)
     slip = slip_velocity(surface, arm.sliding + (omega ^ rubbing_at), n, body.vertical)
-    rubbed = friction_force(surface, pressed.force, slip)
+    f_n = pressed.force * steepness
+    rubbed = friction_force(surface, f_n, slip)
 
-    push = n * (-pressed.force)
+    push = n * (-f_n)
     force = push + rubbed.force
     moment = (rubbing_at ^ force) + ((at.normal_lever - at.friction_lever) ^ push)
     grounded = face.is_ground if gap < 0.0 else 0.0
     grip = friction_damping(rubbed.grip, n, rubbing_at, arm.direction)
     press = contact_stiffness(pressed.stiffness, pressed.damper, n, arm.direction)
     touch = ContactLoad(
-        force, moment, pressed.force, rubbed.force, pressed.loss, rubbed.loss, grounded, grip, press
+        force, moment, f_n, rubbed.force, pressed.loss, rubbed.loss, grounded, grip, press
     )
     impulsive = 1.0 if surface.restitution >= 0.0 else 0.0
     return CageContact(

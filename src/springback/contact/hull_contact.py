@@ -42,7 +42,7 @@ def _sphere_faces(model: Sphere, shape: Any, radius: float, arm: ArmPose) -> Nea
     """The single point at which a sphere touches a shape."""
     inward = -outward_normal(shape, arm.lever)
     gap, at = signed_distance(shape, arm.lever) - radius, support(model, inward, inward, radius)
-    return NearestFaces(NearestFace(gap, inward, at), NearestFace(FAR, inward, at))
+    return NearestFaces(NearestFace(gap, inward, at, 1.0), NearestFace(FAR, inward, at, 1.0))
 
 
 @kernel

@@ -53,10 +53,16 @@ _STEP, _HALF, _ARC = _turn(1.0 / STEPS), _turn(0.5), _turn(1.0)
 
 
 class LowPoint(NamedTuple):
-    """A point of a ring by its direction from the centre, and its distance from the shape."""
+    """A point of a ring by its direction from the centre, and its distance from the shape.
+
+    Beneath an outward edge the distance has a kink: the point is then the lowest where two faces
+    are equally far.  As the ring moves, that distance changes by a mean of both normals, weighted
+    so that its slope along the ring is zero; it is shorter than 1.
+    """
 
     towards: Direction
     gap: float  # [m]
+    normal: Vec  # outward: gradient of the lowest distance by the ring's motion
 
 
 class LowPoints(NamedTuple):
@@ -84,8 +90,8 @@ def on_ring(centre: Vec, radius: float, towards: Direction) -> Vec:
 
 
 @kernel
-def _low(shape: Any, centre: Vec, radius: float, towards: Direction) -> LowPoint:
-    return LowPoint(towards, signed_distance(shape, on_ring(centre, radius, towards)))
+def _distance(shape: Any, centre: Vec, radius: float, towards: Direction) -> float:
+    return signed_distance(shape, on_ring(centre, radius, towards))
 
 
 @kernel
@@ -103,8 +109,8 @@ def _between(a: Direction, b: Direction, share: float) -> Direction:
 @kernel
 def _turning(
     shape: Any, centre: Vec, radius: float, a: Direction, b: Direction, falls: float, rises: float
-) -> Direction:
-    """Direction between two others at which the distance turns from falling to rising.
+) -> LowPoint:
+    """Point between two directions at which the distance turns from falling to rising.
 
     Method of I. F. D. Oliveira and R. H. C. Takahashi, "An enhancement of the bisection method
     average performance preserving minmax optimality", ACM Trans. Math. Softw. 47 (2020): a secant,
@@ -137,7 +143,12 @@ def _turning(
             low, falls = share, slope
         else:
             high, rises = share, slope
-    return _between(a, b, (rises * low - falls * high) / (rises - falls))
+    before, after = rises / (rises - falls), falls / (falls - rises)
+    there = _between(a, b, low * before + high * after)
+    n_low = outward_normal(shape, on_ring(centre, radius, _between(a, b, low)))
+    n_high = outward_normal(shape, on_ring(centre, radius, _between(a, b, high)))
+    gap = signed_distance(shape, on_ring(centre, radius, there))
+    return LowPoint(there, gap, before * n_low + after * n_high)
 
 
 @kernel
@@ -156,11 +167,13 @@ def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> LowP
     """
     n = outward_normal(shape, centre)
     guess = _direction(ASIDE * outward.x - n.x, ASIDE * outward.y - n.y)
-    level = _low(shape, centre, radius, guess)
-    first, second, lowest = LowPoint(guess, FAR), LowPoint(guess, FAR), level.gap
+    there = on_ring(centre, radius, guess)
+    level = LowPoint(guess, signed_distance(shape, there), outward_normal(shape, there))
+    first = second = LowPoint(guess, FAR, level.normal)
+    lowest = level.gap
     begin = Direction(1.0, 0.0)
     for _ in range(ARCS):
-        middle = _low(shape, centre, radius, _rotate(begin, _HALF)).gap
+        middle = _distance(shape, centre, radius, _rotate(begin, _HALF))
         lowest = min(lowest, middle)
         if middle - REACH * radius <= max(lowest, 0.0):
             a, falls = begin, _rise(shape, centre, radius, begin)
@@ -168,8 +181,7 @@ def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> LowP
                 b = _rotate(a, _STEP)
                 rises = _rise(shape, centre, radius, b)
                 if falls < 0.0 <= rises:
-                    turning = _turning(shape, centre, radius, a, b, falls, rises)
-                    found = _low(shape, centre, radius, turning)
+                    found = _turning(shape, centre, radius, a, b, falls, rises)
                     if found.gap < first.gap:
                         first, second = found, first
                     elif found.gap < second.gap:

@@ -16,6 +16,7 @@ from springback.contact.cage import (
     NearestFace,
     Ring,
     Support,
+    at_low_point,
     cage_gap,
     contact_faces,
     face_along_normal,
@@ -30,10 +31,9 @@ from springback.contact.obstacles import (
     Obstacle,
     Plane,
     obstacle_in_body_frame,
-    outward_normal,
     signed_distance,
 )
-from springback.contact.rings import FAR, LowPoint, lowest_on_ring, on_ring
+from springback.contact.rings import FAR, lowest_on_ring, on_ring
 from springback.contact.scene.nearest import (
     HALF_SPACES,
     HEADER,
@@ -142,7 +142,7 @@ def _no_face() -> ContactFace:
     surface = Surface(
         0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, EitherTangents(0.0), 1.0, -1.0
     )  # fmt: skip
-    nearest = NearestFace(FAR, Vec(0.0, 0.0, 1.0), Support(none, none, none, 0.0))
+    nearest = NearestFace(FAR, Vec(0.0, 0.0, 1.0), Support(none, none, none, 0.0), 1.0)
     return ContactFace(nearest, surface, 0.0)
 
 
@@ -181,7 +181,7 @@ def _on_plane(part: Part, plane: Plane) -> NearestFace:
 def _of_sphere(there: Face, radius: float) -> NearestFace:
     """Face that a sphere meets, by the distance and normal at its centre, body axes."""
     lever = there.normal * -radius
-    return NearestFace(there.gap - radius, -there.normal, Support(lever, lever, lever, 0.0))
+    return NearestFace(there.gap - radius, -there.normal, Support(lever, lever, lever, 0.0), 1.0)
 
 
 @kernel
@@ -232,13 +232,6 @@ def _on_face(part: Part, row: int, normal: Vec, height: float) -> NearestFace:
 
 
 @kernel
-def _at_low_point(view: InBodyFrame, part: Part, low: LowPoint) -> NearestFace:
-    lever = Vec(part.radius * low.towards.x, part.radius * low.towards.y, 0.0)
-    inward = -outward_normal(view, on_ring(part.pose.lever, part.radius, low.towards))
-    return NearestFace(low.gap, inward, Support(lever, lever, lever, 0.0))
-
-
-@kernel
 def _with_ring(found: FoundFaces, part: Part, near: NearSolids, centre: Vec) -> FoundFaces:
     """Faces with those that a ring meets on solids."""
     if near.number == 1:
@@ -253,7 +246,7 @@ def _with_ring(found: FoundFaces, part: Part, near: NearSolids, centre: Vec) -> 
         if point.gap < FAR:
             at = on_ring(part.pose.lever, part.radius, point.towards)
             row = nearest_of(near, part.position + part.r @ at).row
-            found = _with_face(found, part.table, row, _at_low_point(view, part, point))
+            found = _with_face(found, part.table, row, at_low_point(part.radius, point))
     return found
 
 
@@ -264,7 +257,7 @@ def _with_tip(found: FoundFaces, part: Part, near: NearSolids, centre: Vec) -> F
     n = -(solid_face(part.table, row, centre).normal @ part.r)
     at = support(ArmTip(0.0), n, pose.direction, part.radius)
     there = nearest_of(near, centre + part.r @ at.point)
-    return _with_face(found, part.table, there.row, NearestFace(there.gap, n, at))
+    return _with_face(found, part.table, there.row, NearestFace(there.gap, n, at, 1.0))
 
 
 @kernel
