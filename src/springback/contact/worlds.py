@@ -8,6 +8,7 @@ first obstacle that is not plane.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import Annotated, Any
 
 from pydantic import Field
@@ -24,6 +25,9 @@ from springback.settings import problem
 #: Any obstacle of springback's own.
 BuiltIn = Wall | Ground | Mat | Shape
 ObstacleSettings = Annotated[BuiltIn, Field(discriminator="type")]
+
+#: Scenes that are remembered (chosen: one of 10 000 trunks takes 3 MB).
+LATEST = 16
 
 #: A user's own shape, registered with `signed_distance` and `outward_normal`, and its surface.
 Own = tuple[Any, SurfaceSettings]
@@ -75,6 +79,16 @@ def _own_faces(own: Sequence[Own]) -> list[tuple[Any, SurfaceSettings, float]]:
 
 def _scene(settings: Sequence[BuiltIn], own: Sequence[Own]) -> Scene:
     """All obstacles as a scene."""
+    beside = tuple(
+        Obstacle(shape, law.surface(AnyExponent, by_number=True), ground)
+        for shape, law, ground in _own_faces(own)
+    )
+    return _scene_of_built_in(tuple(settings))._replace(own=beside)
+
+
+@lru_cache(maxsize=LATEST)
+def _scene_of_built_in(settings: tuple[BuiltIn, ...]) -> Scene:
+    """Scene of obstacles of springback's own; a campaign mostly flies the same again."""
     laws: dict[SurfaceSettings, int] = {}
     solids: list[Solid] = []
     for owner, entry in enumerate(settings):
@@ -87,8 +101,4 @@ def _scene(settings: Sequence[BuiltIn], own: Sequence[Own]) -> Scene:
     if len(solids) > MOST_SOLIDS:
         raise problem(f"hold {len(solids)} solids; the most is {MOST_SOLIDS}", "world.obstacles")
     surfaces = [law.surface(AnyExponent, by_number=True) for law in laws]
-    beside = tuple(
-        Obstacle(shape, law.surface(AnyExponent, by_number=True), ground)
-        for shape, law, ground in _own_faces(own)
-    )
-    return scene_of(solids, surfaces, beside)
+    return scene_of(solids, surfaces)

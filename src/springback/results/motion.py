@@ -374,6 +374,8 @@ def gaps(flight: FlightResult, obstacle: int | None = None, own: tuple[Own, ...]
         if obstacle is not None and obstacle < known:
             alone = obstacles((entries[obstacle],), as_scene=True)
             model = model._replace(world=model.world._replace(obstacles=alone))
+        exact = model.world.obstacles._replace(exact=1.0)
+        model = model._replace(world=model.world._replace(obstacles=exact))
         seen = contact_history(model, flight).gaps
         if obstacle is not None and obstacle >= known:
             seen = seen[:, :, FACES + obstacle - known :][:, :, :1]

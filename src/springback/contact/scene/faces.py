@@ -31,6 +31,7 @@ from springback.contact.obstacles import (
     Obstacle,
     Plane,
     obstacle_in_body_frame,
+    outward_normal,
     signed_distance,
 )
 from springback.contact.rings import FAR, lowest_on_ring, on_ring
@@ -57,6 +58,9 @@ from springback.contact.scene.solids import (
     SURFACE,
     WIDTH,
     Face,
+    SolidForm,
+    form_at,
+    form_face,
     solid_face,
     vector_at,
 )
@@ -69,8 +73,8 @@ from springback.vehicle.state import ArmPose, Sphere
 
 #: Faces that one part of a vehicle can meet at the same time: a corner has three.
 FACES = 3
-#: Where only a clearance is asked for, gaps above this are lower bounds [m] (chosen).
-EXACT_BELOW = 0.3
+#: In flight gaps above this are lower bounds [m] (chosen: only what may soon touch is looked for).
+EXACT_BELOW = 0.05
 #: Two contact points of a sphere that are closer than this are one [m] (chosen).
 APART = 1e-3
 #: Tolerance within which a point of one solid is on the surface of all [m].
@@ -89,6 +93,7 @@ class Scene(NamedTuple):
     table: float  # address of the numbers
     query: float  # address of `scene_faces`
     own: tuple[Obstacle, ...]
+    exact: float  # 0: gaps above `EXACT_BELOW` may be lower bounds, 1: they are exact
 
 
 class SceneInBodyFrame(NamedTuple):
@@ -99,6 +104,7 @@ class SceneInBodyFrame(NamedTuple):
     own: tuple[Obstacle, ...]  # in the body frame
     position: Vec  # of the body, world [m]
     r: Mat3  # body axes to world axes
+    exact: float
 
 
 class Part(NamedTuple):
@@ -231,6 +237,50 @@ def _on_face(part: Part, row: int, normal: Vec, height: float) -> NearestFace:
     return _on_plane(part, _plane_in_body_frame(part, normal, point))
 
 
+class AlongRing(NamedTuple):
+    """A solid, viewed from a ring: points in the ring's plane, from its centre, in body axes."""
+
+    form: SolidForm
+    centre: Vec  # of the ring, in the solid's axes [m]
+    x: Vec  # body axes in the solid's axes
+    y: Vec
+    z: Vec
+
+
+@kernel
+def _along_ring(part: Part, row: int, centre: Vec) -> AlongRing:
+    table, r = part.table, part.r
+    relative = centre - vector_at(table, row + CENTRE)
+    ex, ey = vector_at(table, row + AXES), vector_at(table, row + AXES + 3)
+    ez = vector_at(table, row + AXES + 6)
+    ax, ay, az = ex @ r, ey @ r, ez @ r  # the solid's axes in body axes
+    return AlongRing(
+        form_at(table, row),
+        Vec(ex @ relative, ey @ relative, ez @ relative),
+        Vec(ax.x, ay.x, az.x),
+        Vec(ax.y, ay.y, az.y),
+        Vec(ax.z, ay.z, az.z),
+    )
+
+
+@kernel
+def _face_along_ring(view: AlongRing, point: Vec) -> Face:
+    return form_face(view.form, view.centre + view.x * point.x + view.y * point.y)
+
+
+@signed_distance.register(AlongRing)
+@kernel
+def _distance_along_ring(view: AlongRing, point: Vec) -> float:
+    return _face_along_ring(view, point).gap
+
+
+@outward_normal.register(AlongRing)
+@kernel
+def _normal_along_ring(view: AlongRing, point: Vec) -> Vec:
+    n = _face_along_ring(view, point).normal
+    return Vec(view.x @ n, view.y @ n, view.z @ n)
+
+
 @kernel
 def _with_ring(found: FoundFaces, part: Part, near: NearSolids, centre: Vec) -> FoundFaces:
     """Faces with those that a ring meets on solids."""
@@ -239,6 +289,11 @@ def _with_ring(found: FoundFaces, part: Part, near: NearSolids, centre: Vec) -> 
         whole = _ring_on_box(part, row, centre)
         if whole.gap < FAR:
             return _with_face(found, part.table, row, whole)
+        along, middle = _along_ring(part, row, centre), Vec(0.0, 0.0, 0.0)
+        lowest = lowest_on_ring(along, middle, part.radius, part.pose.direction)
+        if lowest.second.gap < FAR:
+            found = _with_face(found, part.table, row, at_low_point(part.radius, lowest.second))
+        return _with_face(found, part.table, row, at_low_point(part.radius, lowest.first))
     view = InBodyFrame(near, part.position, part.r)
     low = lowest_on_ring(view, part.pose.lever, part.radius, part.pose.direction)
     for k in range(2):
@@ -363,10 +418,11 @@ def _sphere_numbers(hull: Sphere) -> tuple[float, float]:
 
 @kernel
 def _found_faces(
-    scene: SceneInBodyFrame, contact_point: Any, radius: float, arm: ArmPose, exact: float
+    scene: SceneInBodyFrame, contact_point: Any, radius: float, arm: ArmPose
 ) -> FoundFaces:
     kind, rounding = part_numbers(contact_point)
-    part = Part(scene.table, kind, rounding, radius, arm, scene.position, scene.r, exact)
+    at, r = scene.position, scene.r
+    part = Part(scene.table, kind, rounding, radius, arm, at, r, scene.exact)
     return call_routine(scene.query, part, no_faces())
 
 
@@ -374,7 +430,7 @@ def _found_faces(
 @kernel
 def _scene_in_body_frame(scene: Scene, position: Vec, r: Mat3) -> SceneInBodyFrame:
     own = tree_map(obstacle_in_body_frame, (scene.own,), (position, r))
-    return SceneInBodyFrame(scene.table, scene.query, own, position, r)
+    return SceneInBodyFrame(scene.table, scene.query, own, position, r, scene.exact)
 
 
 @contact_faces.register(SceneInBodyFrame)
@@ -382,7 +438,7 @@ def _scene_in_body_frame(scene: Scene, position: Vec, r: Mat3) -> SceneInBodyFra
 def _scene_contact_faces(
     scene: SceneInBodyFrame, contact_point: Any, radius: float, arm: ArmPose
 ) -> tuple[ContactFace, ...]:
-    found = _found_faces(scene, contact_point, radius, arm, 1.0)
+    found = _found_faces(scene, contact_point, radius, arm)
     own = tree_map(face_of, (scene.own,), (contact_point, radius, arm))
     return (found.first, found.second, found.third) + own  # noqa: RUF005
 
@@ -390,7 +446,7 @@ def _scene_contact_faces(
 @lowest_gap.register(SceneInBodyFrame)
 @kernel
 def _scene_gap(scene: SceneInBodyFrame, contact_point: Any, radius: float, arm: ArmPose) -> float:
-    found = _found_faces(scene, contact_point, radius, arm, 0.0)
+    found = _found_faces(scene, contact_point, radius, arm)
     own = tree_map(cage_gap, (scene.own,), (contact_point, radius, arm))
     return minimum((found.first.nearest.gap,) + own)  # noqa: RUF005
 

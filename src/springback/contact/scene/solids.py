@@ -175,24 +175,52 @@ def _disc(x: float, y: float, radius: float) -> Flat:
     return Flat(rho - radius, x * scale, y * scale)
 
 
+class SolidForm(NamedTuple):
+    """What a solid is, without its place."""
+
+    kind: float
+    a: float  # its sizes [m]
+    b: float
+    c: float
+    d: float
+    e: float
+    f: float
+    rounding: float  # [m]
+
+
 @kernel
-def _local_face(table: float, row: int, kind: float, q: Vec) -> Face:
-    """Face of a solid before its edges are rounded, in its own axes."""
-    a, b = number_at(table, row + SIZES), number_at(table, row + SIZES + 1)
-    if kind == CAPSULE:
-        return _capsule(q, a, b)
-    c = number_at(table, row + SIZES + 2)
-    if kind == BOX:
-        return _box(q, Vec(a, b, c))
-    if kind == FRUSTUM:
-        return _frustum(q, a, b, c)
-    if kind == TORUS:
-        return _torus(q, a, b)
-    outline, d = _rectangle(q.x, q.y, a, b), number_at(table, row + SIZES + 3)
-    if kind == WINDOW:
-        e, f = number_at(table, row + SIZES + 4), number_at(table, row + SIZES + 5)
-        return _plate(q, c, _cut(outline, _rectangle(q.x, q.y - f, d, e)))
-    return _plate(q, c, _cut(outline, _disc(q.x, q.y, d)))
+def form_at(table: float, row: int) -> SolidForm:
+    """Form of the solid whose numbers begin at a position of a table."""
+    k = row + SIZES
+    return SolidForm(
+        number_at(table, row + KIND), number_at(table, k), number_at(table, k + 1),
+        number_at(table, k + 2), number_at(table, k + 3), number_at(table, k + 4),
+        number_at(table, k + 5), number_at(table, row + ROUNDING),
+    )  # fmt: skip
+
+
+@kernel
+def _sharp_face(s: SolidForm, q: Vec) -> Face:
+    """Face of a solid before its edges are rounded."""
+    if s.kind == CAPSULE:
+        return _capsule(q, s.a, s.b)
+    if s.kind == BOX:
+        return _box(q, Vec(s.a, s.b, s.c))
+    if s.kind == FRUSTUM:
+        return _frustum(q, s.a, s.b, s.c)
+    if s.kind == TORUS:
+        return _torus(q, s.a, s.b)
+    outline = _rectangle(q.x, q.y, s.a, s.b)
+    if s.kind == WINDOW:
+        return _plate(q, s.c, _cut(outline, _rectangle(q.x, q.y - s.f, s.d, s.e)))
+    return _plate(q, s.c, _cut(outline, _disc(q.x, q.y, s.d)))
+
+
+@kernel
+def form_face(s: SolidForm, q: Vec) -> Face:
+    """Distance and outward normal of a solid that is no half-space, all in its own axes."""
+    found = _sharp_face(s, q)
+    return Face(found.gap - s.rounding, found.normal)
 
 
 @kernel
@@ -204,12 +232,12 @@ def solid_face(table: float, row: int, point: Vec) -> Face:
         row: Position of the solid's first number.
         point: [m].
     """
-    kind = number_at(table, row + KIND)
     relative = point - vector_at(table, row + CENTRE)
     ez = vector_at(table, row + AXES + 6)
-    if kind == HALF_SPACE:
+    if number_at(table, row + KIND) == HALF_SPACE:
         return Face(ez @ relative, ez)
     ex, ey = vector_at(table, row + AXES), vector_at(table, row + AXES + 3)
-    found = _local_face(table, row, kind, Vec(ex @ relative, ey @ relative, ez @ relative))
+    q = Vec(ex @ relative, ey @ relative, ez @ relative)
+    found = form_face(form_at(table, row), q)
     n = found.normal
-    return Face(found.gap - number_at(table, row + ROUNDING), ex * n.x + ey * n.y + ez * n.z)
+    return Face(found.gap, ex * n.x + ey * n.y + ez * n.z)

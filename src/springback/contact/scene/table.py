@@ -92,7 +92,7 @@ def scene_of(
         surfaces: Those that the solids name by number.
         own: The user's own shapes beside them.
     """
-    return Scene(NumberTable(_numbers(solids, surfaces)), SCENE_FACES.address, own)
+    return Scene(NumberTable(_numbers(solids, surfaces)), SCENE_FACES.address, own, 0.0)
 
 
 def _numbers(solids: Sequence[Solid], surfaces: Sequence[Surface]) -> Array:
