@@ -68,7 +68,7 @@ def scene(*entries: Any) -> Scene:
 def faces(world: Any, centre: Vec, r: Mat3, part: Any, radius: float = RADIUS) -> list[ContactFace]:
     """The faces that a part at a centre meets, nearest first; `FAR` ones are left out."""
     pose = ArmPose(Vec(1.0, 0.0, 0.0), STILL, STILL)
-    found = contact_faces(obstacles_in_body_frame(world, centre, r), part, radius, pose)
+    found = contact_faces(obstacles_in_body_frame(world, centre, r), part, radius, pose, 1.0)
     near = [one for one in found if one.nearest.gap < FAR]
     return sorted(near, key=lambda one: one.nearest.gap)
 
@@ -167,8 +167,8 @@ def test_a_half_space_of_a_scene_is_a_plane(part: Any) -> None:
         centre, r = vec(np.array([0.2, 0.1, 0.3]) + chance.uniform(-0.3, 0.3, size=3)), turn(chance)
         pose = ArmPose(Vec(1.0, 0.0, 0.0), Vec(0.19, 0.0, 0.0), STILL)
         one = obstacles_in_body_frame(obstacles((wall,)), centre, r)
-        expected = contact_faces(one, part, RADIUS, pose)[0].nearest
-        many = contact_faces(obstacles_in_body_frame(world, centre, r), part, RADIUS, pose)
+        expected = contact_faces(one, part, RADIUS, pose, 1.0)[0].nearest
+        many = contact_faces(obstacles_in_body_frame(world, centre, r), part, RADIUS, pose, 1.0)
         near = [face.nearest for face in many]
         same = min(near, key=lambda face: abs(face.gap - expected.gap))
         assert np.allclose([*same.inward], [*expected.inward], atol=1e-14)
@@ -187,7 +187,7 @@ def test_a_ring_that_lies_flat_on_a_box_touches_as_on_the_ground() -> None:
         centre = vec([*chance.uniform(-0.38, 0.38, size=2), 0.01])
         pose = ArmPose(Vec(1.0, 0.0, 0.0), STILL, STILL)
         there = obstacles_in_body_frame(ground, centre, r)
-        plane = contact_faces(there, Ring(0.005), RADIUS, pose)[0].nearest
+        plane = contact_faces(there, Ring(0.005), RADIUS, pose, 1.0)[0].nearest
         found = faces(scene(box), centre, r, Ring(0.005))
         assert len(found) == 1
         assert found[0].nearest.gap == pytest.approx(plane.gap, abs=1e-12)

@@ -191,14 +191,14 @@ def _arm_contact(
     body: BodyMotion,
 ) -> PartContact:
     pose = arm_pose(arm, length, rate, body.velocity)
-    faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose)
+    faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose, 1.0)
     found = tree_map(_on_cage, (faces,), (pose, body))
     return PartContact(tree_sum(tree_map(_moment, (found,), ())), tree_map(_gap, (found,), ()))
 
 
 @kernel
 def _hull_contact(hull: Sphere, obstacles: Any, body: BodyMotion) -> PartContact:
-    found = tree_map(_on_hull, (hull_faces(hull, obstacles),), (hull, body))
+    found = tree_map(_on_hull, (hull_faces(hull, obstacles, 1.0),), (hull, body))
     return PartContact(tree_sum(tree_map(_moment, (found,), ())), tree_map(_gap, (found,), ()))
 
 

@@ -436,9 +436,11 @@ def _scene_in_body_frame(scene: Scene, position: Vec, r: Mat3) -> SceneInBodyFra
 @contact_faces.register(SceneInBodyFrame)
 @kernel
 def _scene_contact_faces(
-    scene: SceneInBodyFrame, contact_point: Any, radius: float, arm: ArmPose
+    scene: SceneInBodyFrame, contact_point: Any, radius: float, arm: ArmPose, engaged: float
 ) -> tuple[ContactFace, ...]:
-    found = _found_faces(scene, contact_point, radius, arm)
+    found = no_faces()
+    if engaged > 0.0:
+        found = _found_faces(scene, contact_point, radius, arm)
     own = tree_map(face_of, (scene.own,), (contact_point, radius, arm))
     return (found.first, found.second, found.third) + own  # noqa: RUF005
 
