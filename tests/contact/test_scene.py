@@ -18,21 +18,22 @@ from springback.contact.cage import (
     lowest_gap,
     obstacles_in_body_frame,
 )
+from springback.contact.forest import Forest
 from springback.contact.library import WALL
 from springback.contact.parameters import Ground, Wall
 from springback.contact.rings import FAR
 from springback.contact.scene.faces import (
     EXACT_BELOW,
     SCENE_FACES,
-    Part,
-    Scene,
+    SolidScene,
+    VehiclePart,
     distance_of,
     no_faces,
     scene_faces,
 )
 from springback.contact.scene.nearest import MOST_NEAR, nearest_solid, solids_within
 from springback.contact.scene.solids import solid_face
-from springback.contact.shapes import Box, Capsule, Forest
+from springback.contact.shapes import Box, Capsule
 from springback.contact.worlds import obstacles
 from springback.kernels.compiler import executor
 from springback.kernels.layout import Buffer, TreeLayout, read, write
@@ -58,10 +59,10 @@ def vec(array: Any) -> Vec:
     return Vec(*map(float, array))
 
 
-def scene(*entries: Any) -> Scene:
+def scene(*entries: Any) -> SolidScene:
     """A scene of some obstacles, whose gaps are exact."""
     built = obstacles(entries)
-    assert isinstance(built, Scene)
+    assert isinstance(built, SolidScene)
     return built._replace(exact=1.0)
 
 
@@ -76,7 +77,7 @@ def faces(world: Any, centre: Vec, r: Mat3, part: Any, radius: float = RADIUS) -
 # -- the tree ---------------------------------------------------------------------------------------
 
 
-def rows(world: Scene) -> list[int]:
+def rows(world: SolidScene) -> list[int]:
     """Rows of all solids of a scene that are no half-spaces."""
     return [int(number_at(world.table, 3)) + 24 * k for k in range(int(number_at(world.table, 1)))]
 
@@ -266,10 +267,10 @@ def test_plain_python_and_the_routine_give_the_same_bits() -> None:
     assert seen > 10
 
 
-def part_of(world: Scene, centre: Vec, r: Mat3, kind: float) -> Part:
+def part_of(world: SolidScene, centre: Vec, r: Mat3, kind: float) -> VehiclePart:
     """A part of a vehicle at a place."""
     pose = ArmPose(Vec(1.0, 0.0, 0.0), STILL, STILL)
-    return Part(float(world.table), kind, 0.005, RADIUS, pose, centre, r, 1.0)
+    return VehiclePart(float(world.table), kind, 0.005, RADIUS, pose, centre, r, 1.0)
 
 
 def test_more_solids_than_a_part_can_list_are_looked_through() -> None:

@@ -156,7 +156,7 @@ class CageContact(NamedTuple):
 
 @kernel
 def slip_velocity(surface: Surface, velocity: Vec, normal: Vec, vertical: Vec) -> Vec:
-    """Part of a velocity along the surface that friction opposes [m/s]."""
+    """VehiclePart of a velocity along the surface that friction opposes [m/s]."""
     slip = velocity - (velocity @ normal) * normal
     return rubbing(surface.friction_axes, slip, normal, vertical)
 

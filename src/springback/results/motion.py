@@ -23,7 +23,7 @@ from springback.contact.cage import (
 )
 from springback.contact.hull_contact import hull_contact, hull_faces
 from springback.contact.parameters import faces
-from springback.contact.scene.faces import FACES, Scene
+from springback.contact.scene.faces import FACES, SolidScene
 from springback.contact.shapes import ShapeSettings
 from springback.contact.worlds import Own, obstacles
 from springback.dynamics.solution import Slider
@@ -370,7 +370,7 @@ def gaps(flight: FlightResult, obstacle: int | None = None, own: tuple[Own, ...]
         raise InputError("the world of this flight has no obstacles")
     if obstacle is not None and not 0 <= obstacle < count:
         raise InputError(f"obstacle: must be from 0 to {count - 1} (got {obstacle})")
-    if isinstance(model.world.obstacles, Scene):
+    if isinstance(model.world.obstacles, SolidScene):
         if obstacle is not None and obstacle < known:
             alone = obstacles((entries[obstacle],), as_scene=True)
             model = model._replace(world=model.world._replace(obstacles=alone))
