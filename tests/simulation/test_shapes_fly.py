@@ -103,6 +103,7 @@ def test_the_table_pairs_every_shape_with_every_value() -> None:
         assert {one[name] for one in TABLE if one["shape"] == shape} == set(options), (shape, name)
 
 
+@pytest.mark.filterwarnings("ignore::springback.errors.LedgerWarning")  # of the paper's point
 @pytest.mark.parametrize("shape", SHAPES)
 def test_every_shape_meets_every_setting(shape: str) -> None:
     """In plain Python: it touches, ends at its time, and its ledger closes."""
