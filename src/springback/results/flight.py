@@ -53,6 +53,7 @@ from springback.simulation.guided import (
 )
 from springback.simulation.measures import Outcome, measures_of, outcome_of
 from springback.simulation.noise import noise_table
+from springback.simulation.onboard import Avionics
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -383,7 +384,7 @@ def check_user_code(built: ReadyFlight) -> list[Law]:
     laws: list[Law] = []
     if built.built_avionics is None:
         return laws
-    systems, onboard = built.built_avionics.avionics
+    onboard = built.built_avionics.avionics.onboard
     for part in built.compiled:
         if not own_types(part):
             continue
@@ -393,11 +394,15 @@ def check_user_code(built: ReadyFlight) -> list[Law]:
         elif isinstance(part, CompiledEstimator):
             laws.append(check_estimator(part, onboard.measurement))
         else:
-            airframe, memory = systems.pilot.cascade.airframe, onboard.pilot
-            at, wrench = memory.flight.estimate, memory.wrench
-            inputs = CollisionInputs(airframe, onboard.measurement, at, wrench)
-            laws.append(check_detector(part, inputs))
+            laws.append(check_detector(part, first_inputs(built.built_avionics.avionics)))
     return laws
+
+
+def first_inputs(avionics: Avionics) -> CollisionInputs:
+    """What the detectors of a pilot that recovers are given, before its first tick."""
+    airframe, memory = avionics.systems.pilot.cascade.airframe, avionics.onboard.pilot
+    at, wrench = memory.flight.estimate, memory.wrench
+    return CollisionInputs(airframe, avionics.onboard.measurement, at, wrench)
 
 
 def guided_result(guided: GuidedFlown) -> tuple[Outcome, dict[str, float | None]]:
