@@ -24,7 +24,7 @@ class Guard(NamedTuple):
 def guarded(pilot, time, measurement, memory):
     felt = measurement.inertial.specific_force.x
     lift = pilot.share * (1.0 + pilot.offset.z)
-    return PilotOutput((lift,) * 4, memory + 1.0, 1.0 if felt < -pilot.threshold else 0.0)
+    return PilotOutput((lift, lift, lift, lift), memory + 1.0, 1.0 if felt < -pilot.threshold else 0.0)
 
 
 def guard(context: PilotContext, threshold=5.0, offset=Vec(0.0, 0.0, 0.0)):
@@ -46,7 +46,7 @@ def plain_guard(context: PilotContext, threshold, offset=Vec(0.0, 0.0, 0.0)):
 @pilot_step.register(Vec)
 @kernel
 def silent(pilot, time, measurement, memory):
-    return PilotOutput((pilot.x,) * 4, memory)
+    return PilotOutput((pilot.x, pilot.x, pilot.x, pilot.x), memory)
 
 
 def mute(context: PilotContext):
