@@ -164,7 +164,7 @@ def test_a_pilot_is_checked_with_its_parameters(tmp_path: Path) -> None:
     path = tmp_path / "mine.py"
     path.write_text(PLAIN)
     (tmp_path / "short.toml").write_text('vehicle = "quad"\n')
-    words = ["check", f"{path}:hover", "thrust=3 N", str(tmp_path / "short.toml")]
+    words = ["check", f"{path}:hover", "thrust=3", str(tmp_path / "short.toml")]
     done = CliRunner().invoke(cli, words)
     assert "its 4 thrusts in hover are 3 to 3 N" in done.stdout
     with pytest.raises(InputError, match="hover does not take a PilotContext, gain"):

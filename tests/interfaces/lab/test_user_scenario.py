@@ -217,7 +217,7 @@ def test_code_and_a_vehicle_file_of_ones_own_are_found_beside_the_scenario(tmp_p
     assert (table().mode, table().body_mass, table.user.label) == ("impact", 1.3, "frame")
     assert table.user.target is table.user.scenario.world.obstacles[1]
     as_file = lab_scenario(setting(table, mode="file", length=230, surface="wall"), "mine")
-    assert as_file.pilot == f"{tmp_path / 'pilots.py'}:mine"
+    assert as_file.code == [("pilot", f"{tmp_path / 'pilots.py'}:mine")]
     assert as_file.estimator.code == f"{tmp_path / 'sensing.py'}:estimator"
     assert as_file.recovery is not None
     assert as_file.recovery.detection.own is not None
