@@ -406,6 +406,11 @@ def test_a_map_takes_vehicle_files_and_pilots(folder: Path) -> None:
     ]).design  # fmt: skip
     try_code(own)
     assert {Path(path).name for path in own.code} == {"own_detector.py", "own_estimator.py"}
+    settings = [f"pilot={pilot_file(folder)}:guard", "pilot.parameters={ threshold = 5.0 }"]
+    over = plan_envelope("pilot.parameters.threshold=2:8:3", "speed=2:3:2", settings=settings)
+    pilots = [over.tables(over.flight(sample, 0))["pilot"] for sample in (0, 2, 4)]
+    assert [pilot["parameters"]["threshold"] for pilot in pilots] == [2.0, 5.0, 8.0]
+    assert {pilot["code"] for pilot in pilots} == {f"{folder}/guards.py:guard"}
     with pytest.raises(InputError, match=r"mine.py: has no 'nix'"):
         plan_envelope("speed=2:3:2", settings=[f"pilot={folder}/mine.py:nix"])
     with pytest.raises(InputError, match=r"none.toml: cannot be read"):

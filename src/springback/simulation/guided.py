@@ -171,7 +171,7 @@ class AvionicsMemory(NamedTuple):
     weather: Any
 
 
-#: Placeholders for a measurement before tick 0, by types of the sensors; no pilot reads them.
+#: Zeros for a measurement before tick 0, by types of the sensors; what is not revealed stays zero.
 _UNREAD: dict[Any, Any] = {}
 
 
@@ -195,7 +195,7 @@ def avionics_at_start(
     if kind not in _UNREAD:
         truth, noise = Truth(start, start, systems.period, model.world.gravity), (0.0,) * channels
         first = sensor_step(systems.sensors, 0.0, truth, noise, memory.sensors)
-        _UNREAD[kind] = first.measurement
+        _UNREAD[kind] = rebuilt(first.measurement, [0.0] * len(leaves(first.measurement)))
     pilot = user_pilot_memory(memory.pilot) if decides_alone(systems.pilot) else memory.pilot
     onboard = OnboardState(
         start, _UNREAD[kind], memory.sensors, pilot, model.thrust, model.thrust,
