@@ -130,7 +130,8 @@ def test_reach_of_both_contact_models() -> None:
 @pytest.mark.parametrize("yaw", [0.0, 0.4, -math.pi / 4, 1.5, 3.0])
 def test_reach_at_a_yaw_is_that_of_the_attitude_commanded_there(yaw: float) -> None:
     """The foremost point of circles that are turned, sampled, against the support in body axes."""
-    airframe = ROBOTS["arq"].airframe()
+    left, *others = ROBOTS["arq"].airframe().arms
+    airframe = ROBOTS["arq"].airframe()._replace(arms=(left._replace(length=0.3), *others))
     for pitch in (-0.7, 0.0, 0.5):
         tilt = Vec(math.sin(pitch), 0.0, math.cos(pitch))
         ahead = heading(tilt, yaw).axes.x  # world X in body axes

@@ -249,8 +249,9 @@ def fly(
         own: The user's own obstacles besides the scenario's: pairs of a shape, registered with
             `signed_distance` and `outward_normal`, and its `SurfaceSettings`.
         pilot: The user's own pilot, in place of the scenario's: a plain function ``(time,
-            measurement, memory) -> (thrusts, memory)``, whose memory is None at first, or a
-            `CompiledPilot`, which is compiled, or ``"file.py:name"`` of either.
+            measurement, memory) -> (thrusts, memory)``, whose memory is None at first, with its
+            alarm as a third value if it detects collisions; or a `CompiledPilot`, which is
+            compiled; or ``"file.py:name"`` of either.
         trajectory: Record the trajectory.
         executor: ``compiled``, or ``python`` for the same source run by the interpreter.
         progress: Called from time to time with the simulated time [s].
