@@ -202,6 +202,8 @@ def test_a_run_up_turns_away_from_a_yaw_at_the_start_and_says_so() -> None:
     both = ("start.yaw=-175deg", "reference.yaw=180deg")
     assert scenario_warnings(as_scenario(RUN_UP, both)) == []
     assert scenario_warnings(as_scenario(RUN_UP, both[1:]))
+    same = ("start.yaw=45deg", "reference.yaw=45deg")
+    assert scenario_warnings(as_scenario(RUN_UP, same)) == []
 
 
 def test_an_offset_moves_the_vehicle_and_not_its_run_up() -> None:
