@@ -389,6 +389,18 @@ def test_an_alarm_is_one_or_zero(alarm: Any) -> None:
         springback.fly(SHORT, pilot=loud)
 
 
+def test_what_the_compiler_lacks_is_named(trusted: Path) -> None:
+    """Was: Failed in nopython mode pipeline."""
+    path = pilot_file(trusted)
+    path.write_text(path.read_text().replace("(lift, lift, lift, lift)", "(lift,) * 4"))
+    lines = path.read_text().splitlines()
+    [line] = [k for k, text in enumerate(lines, start=1) if "(lift,) * 4" in text]
+    with pytest.raises(InputError) as caught:
+        springback.fly(before_a_wall(f"{path}:guard"))
+    wanted = f"{path}:{line}: cannot be compiled: the compiler has no mul(UniTuple(float64 x 1), "
+    assert str(caught.value).startswith(wanted)
+
+
 # -- the check ------------------------------------------------------------------------------------
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "own_pilot.py"

@@ -162,7 +162,7 @@ class PlanPilot(Settings):
     """``FILE.py:NAME`` of the pilot, or of a function that returns it; none: springback's."""
     parameters: Arguments = Field(default_factory=dict)
     """Arguments of that function, in SI."""
-    name: Name = ""
+    name: Name | None = None
     """In the names of robots; by default ``NAME`` and the parameters."""
 
     @model_validator(mode="before")
