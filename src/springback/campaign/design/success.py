@@ -38,6 +38,19 @@ def condition_in_words(text: str, fields: Mapping[str, str | None], *, judged: b
     return " OR ".join(_term(part, fields, judged) for part in re.split(r"\s+or\s+", text))
 
 
+def upper_limit(text: str) -> tuple[str, float] | None:
+    """Column and largest value [SI] of a condition that is one upper limit of a measure.
+
+    Args:
+        text: A condition that `condition_in_words` accepts.
+    """
+    found, units = _COMPARISON.fullmatch(text), known_columns()
+    if found is None or " or " in text or found["sign"] not in ("<", "<="):
+        return None
+    name = found["name"]
+    return (name, si_number(found["limit"], units[name][0])) if name in units else None
+
+
 def _term(text: str, fields: Mapping[str, str | None], judged: bool) -> str:
     """SQL of a comparison, an outcome or the verdict."""
     columns: dict[str, str | None] = {name: unit for name, (unit, _) in known_columns().items()}
