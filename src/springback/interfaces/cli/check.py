@@ -100,9 +100,9 @@ def _conclude(sentence: str, warnings: list[str], terminal: Terminal) -> None:
 
 
 def _check_plan(path: Path, overrides: Sequence[str], terminal: Terminal) -> None:
-    from springback.campaign.access import check_conditions
     from springback.campaign.design.layout import lay_out
     from springback.campaign.design.plan import read_plan
+    from springback.campaign.plan_check import check_conditions
     from springback.scenario.scenario import scenario_from
 
     with terminal.spinner("reading the plan"):
