@@ -17,8 +17,8 @@ from springback.campaign.analysis.levels import SAME_FIELDS, field_summary, fiel
 from springback.campaign.analysis.statistics import summary
 from springback.campaign.analysis.worst_case import (
     WorstCase,
+    flights_needed,
     least_share,
-    needed,
     worst_case,
     worst_cases,
 )
@@ -107,7 +107,7 @@ def test_the_share_that_is_left_is_clopper_and_pearsons() -> None:
     assert least_share(50, 50) == pytest.approx(0.05 ** (1 / 50))
     assert least_share(0, 50) == 0.0
     assert least_share(45, 50) == pytest.approx(0.8012, abs=1e-3)  # tables of the binomial
-    assert [needed(0.95, n) for n in (1, 19, 20, 21, 100)] == [1, 19, 19, 20, 95]
+    assert [flights_needed(0.95, n) for n in (1, 19, 20, 21, 100)] == [1, 19, 19, 20, 95]
 
 
 def test_several_limits_hold_together_and_each_has_its_range(campaign: Campaign) -> None:

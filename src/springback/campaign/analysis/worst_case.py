@@ -69,7 +69,7 @@ class WorstCaseCell(NamedTuple):
         return 0.5 * (self.low + self.high)
 
 
-class KeptRange(NamedTuple):
+class FieldRange(NamedTuple):
     """Neighbouring cells in which limits are kept."""
 
     cells: tuple[WorstCaseCell, ...]
@@ -103,9 +103,9 @@ class WorstCase:
     def keeps(self, cell: WorstCaseCell, limit: int | None = None) -> bool:
         """True if enough flights of a cell keep a limit, by number, or all limits."""
         kept = cell.all_kept if limit is None else cell.kept[limit]
-        return kept >= needed(self.share, cell.flights)
+        return kept >= flights_needed(self.share, cell.flights)
 
-    def ranges(self, robot: str, limit: int | None = None) -> list[KeptRange]:
+    def ranges(self, robot: str, limit: int | None = None) -> list[FieldRange]:
         """Ranges of the field in which a robot keeps a limit, by number, or all limits."""
         found: list[list[WorstCaseCell]] = []
         before = -2
@@ -115,7 +115,7 @@ class WorstCase:
                     found.append([])
                 found[-1].append(cell)
                 before = cell.number
-        return [KeptRange(tuple(cells)) for cells in found]
+        return [FieldRange(tuple(cells)) for cells in found]
 
     def best(self, robot: str) -> WorstCaseCell | None:
         """The cell in which the largest share of a robot's flights keeps all limits."""
@@ -125,7 +125,7 @@ class WorstCase:
     def as_dict(self) -> dict[str, Any]:
         """Plain data, in SI."""
 
-        def ends(part: KeptRange) -> dict[str, Any]:
+        def ends(part: FieldRange) -> dict[str, Any]:
             names = [self.field.named_cell(cell.number) for cell in part.cells]
             if "level" in names[0]:
                 return {"levels": [name["level"] for name in names]}
@@ -154,7 +154,7 @@ class WorstCase:
         }  # fmt: skip
 
 
-def needed(share: float, flights: int) -> int:
+def flights_needed(share: float, flights: int) -> int:
     """Smallest number of flights that is a share of them, at least one."""
     return max(1, math.ceil(share * flights - 1e-9))
 
@@ -260,7 +260,7 @@ def _worst(values: Values, share: float, *, least: bool) -> float | None:
     known = np.sort(values[~np.isnan(values)])
     if not len(known):
         return None
-    rank = needed(share, len(known))
+    rank = flights_needed(share, len(known))
     return float(known[-rank] if least else known[rank - 1])
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from springback.campaign.analysis.worst_case import (
-    KeptRange,
+    FieldRange,
     WorstCase,
     WorstCaseLimit,
     least_share,
@@ -63,7 +63,7 @@ def _answer(found: WorstCase, robot: str, limits: Sequence[WorstCaseLimit]) -> s
     )
 
 
-def _ranges(found: WorstCase, parts: Sequence[KeptRange]) -> str:
+def _ranges(found: WorstCase, parts: Sequence[FieldRange]) -> str:
     """Text of ranges, with a remark where they end with the values flown."""
     cut = found.field
     if cut.labels and not cut.edges:
