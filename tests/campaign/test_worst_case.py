@@ -17,6 +17,7 @@ from springback.campaign.analysis.levels import SAME_FIELDS, field_summary, fiel
 from springback.campaign.analysis.statistics import summary
 from springback.campaign.analysis.worst_case import (
     WorstCase,
+    WorstCaseMap,
     flights_needed,
     least_share,
     worst_case,
@@ -24,7 +25,12 @@ from springback.campaign.analysis.worst_case import (
 )
 from springback.errors import InputError
 from springback.interfaces.figures.worst_case import worst_case_figure
-from springback.interfaces.output.worst_case import worst_case_lines, worst_case_table
+from springback.interfaces.output.worst_case import (
+    answer_lines,
+    answer_table,
+    worst_case_lines,
+    worst_case_table,
+)
 from springback.interfaces.reports.campaign import summary_text, write_summary
 
 STROKE, LIMIT = "impact_arm_stroke", "impact_arm_stroke < 900 mm"
@@ -81,7 +87,7 @@ def with_cells(kept: list[int], of: int = 50, share: float = 1.0) -> WorstCase:
         WorstCaseCell(k, edges[k], edges[k + 1], of, (n,), n, (0.5 if n == of else 0.95,), (0,))
         for k, n in enumerate(kept)
     )
-    return WorstCase(field, limits, share, ("yaw", "speed"), (), {"hexa": cells})
+    return WorstCase(field, limits, share, ("yaw", "speed"), (), {"hexa": cells}, {})
 
 
 def test_ranges_are_whole_cells_and_the_sentence_names_them() -> None:
@@ -93,7 +99,7 @@ def test_ranges_are_whole_cells_and_the_sentence_names_them() -> None:
         f"{LIMIT} in every flight (3 of 5 cells, 50 or more flights in each: at 95 % confidence "
         "94 % of such flights or more)"
     )
-    assert over == "taken over all yaw, speed"
+    assert over == "The worst case is over all yaw, speed"
     none = with_cells([49, 20])
     assert worst_case_lines(none)[0] == (
         f"hexa: no stiffness keeps {LIMIT} in every flight; closest is 1000 to 2000 N/m, with 49 "
@@ -122,6 +128,51 @@ def test_several_limits_hold_together_and_each_has_its_range(campaign: Campaign)
     heads, rows = worst_case_table(found)
     assert heads[:3] == ["robot", "stiffness", "flights"]
     assert len(rows) == 16
+
+
+def test_over_two_fields_each_cell_is_that_of_the_rows(campaign: Campaign) -> None:
+    [found] = worst_cases(campaign, [LIMIT], ["stiffness,surface"])
+    assert isinstance(found, WorstCaseMap)
+    assert found.whole.others == ("speed", "pitch")
+    for level, along in found.slices.items():
+        word = found.across.labels[level]
+        for robot, cells in along.robots.items():
+            for cell in cells:
+                mine = [
+                    row for row in flown(campaign, robot)
+                    if row["stiffness"] == cell.low and row["surface"] == word
+                ]  # fmt: skip
+                assert (cell.flights, cell.all_kept) == (
+                    len(mine), sum(row[STROKE] < 0.9 for row in mine)
+                )  # fmt: skip
+    [loose] = worst_cases(campaign, ["impact_arm_stroke < 2 m"], ["stiffness,surface"])
+    lines = answer_lines(loose)
+    assert lines[0] == "arq keeps impact_arm_stroke < 2 m in every flight with"
+    assert lines[1].startswith("  surface wall: stiffness 1000 to 8000 N/m (all flown), of ")
+    [none] = worst_cases(campaign, ["impact_arm_stroke < 1 mm"], ["stiffness,surface"])
+    assert "arq: no stiffness and surface keep impact_arm_stroke < 1 mm" in answer_lines(none)[0]
+    figure: Any = campaign.plot(by=("stiffness", "surface"), limit=LIMIT)
+    assert [axes.get_title(loc="left") for axes in figure.axes[:2]] == ["ARQ", "Quad"]
+    assert len(answer_table(found)[1]) == 2 * 2 * 8
+    assert found.as_dict()["across"] == "surface"
+    with pytest.raises(InputError, match="two different fields"):
+        worst_cases(campaign, [LIMIT], ["speed,speed"])
+    with pytest.raises(InputError, match="give one field, or two"):
+        worst_cases(campaign, [LIMIT], ["speed,pitch,surface"])
+
+
+def test_what_would_keep_the_limits_more_often_is_named(campaign: Campaign) -> None:
+    """Rows are made so that slow flights succeed more often, and nothing else matters."""
+    found = worst_case(campaign, "stiffness", ["not hit_ground"])
+    [best, *_] = found.better["arq"]
+    assert (best.field.name, best.cell) == ("speed", 0)
+    slow = [row for row in flown(campaign, "arq") if row["speed"] < best.field.edges[1]]
+    assert (best.flights, best.kept) == (
+        len(slow), sum(row["outcome"] != "hit_ground" for row in slow)
+    )  # fmt: skip
+    assert found.ranges("arq") == []
+    [said] = [line for line in worst_case_lines(found) if line.startswith("arq: kept more often")]
+    assert f"with speed 1.04 to 1.53 m/s ({100 * best.share:.0f} % of flights)" in said
 
 
 def test_flights_without_the_measure_break_its_limit_and_are_told(campaign: Campaign) -> None:
@@ -195,7 +246,9 @@ def test_a_plot_answers_with_limit_line_range_and_sentence(campaign: Campaign) -
     assert [line.get_ydata()[0] for line in axes.get_lines() if line.get_color() == "#222222"] == [
         pytest.approx(0.999)
     ]
-    assert "taken over all speed, pitch, surface" in figure.texts[0].get_text().replace("\n", " ")
+    assert "The worst case is over all speed, pitch, surface" in figure.texts[0].get_text().replace(
+        "\n", " "
+    )
     heads = figure.csv().splitlines()[0]
     assert "Worst impact arm stroke [m]" in heads
     assert "flights" in heads
@@ -204,7 +257,7 @@ def test_a_plot_answers_with_limit_line_range_and_sentence(campaign: Campaign) -
         "impact_peak_acceleration", by="speed", limit=[LIMIT, "not hit_ground"]
     )
     assert len([axes for axes in two.axes if axes.get_visible()]) == 3
-    with pytest.raises(InputError, match="by: a limit or a share needs the name of one field"):
+    with pytest.raises(InputError, match="by: a limit needs the name of a field"):
         campaign.plot(STROKE, limit=LIMIT)
 
 

@@ -404,7 +404,8 @@ class Campaign:
             by: Name of a varied field; the measure is drawn over it.  Two names give a map; None
                 the distribution, as a histogram and cumulated.
             limit: Limits in words, as a plan's ``success``, a panel each:
-                ``impact_peak_acceleration < 300 m/s^2``, ``not arm_bottomed``.
+                ``impact_peak_acceleration < 300 m/s^2``, ``not arm_bottomed``; over two fields a
+                map of the share of flights that keep them.
             share: Share of the flights at each value of the field that must keep the limits; by
                 default all, 1.
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,7 +12,6 @@ import scipy  # submodules are loaded on first use
 
 from springback.campaign.access import Campaign
 from springback.campaign.analysis.marginals import (
-    SUCCESS,
     MeasureColumn,
     Scale,
     fields_of,
@@ -25,9 +24,13 @@ from springback.errors import InputError
 from springback.intervals import CONFIDENCE, Values
 from springback.results.database import identifier
 
-#: Flights of a cell, on average, and fewest and most cells of a field without levels (chosen: all
-#: of 40 flights within the limits mean that at least 93 % of such flights are).
-FLIGHTS_EACH, CELLS = 40, (4, 16)
+#: Flights of a cell, on average, and fewest and most cells of a field without levels, alone and of
+#: two fields each (chosen: all of 40 flights within the limits mean that at least 93 % of such
+#: flights are).
+FLIGHTS_EACH, CELLS, CELLS_OF_TWO = 40, (4, 16), (3, 8)
+#: Cells of the other fields in which limits may be kept more often, how much more often, fewest
+#: flights that say so, and most of them that are listed (chosen).
+PARTS, BETTER, FEWEST, MOST_LISTED = 4, 0.05, 10, 3
 
 
 class WorstCaseLimit(NamedTuple):
@@ -85,6 +88,21 @@ class FieldRange(NamedTuple):
         return self.cells[-1].high
 
 
+class FieldCellShare(NamedTuple):
+    """A cell of another field, in which limits are kept more often."""
+
+    field: Scale
+    cell: int
+    flights: int
+    kept: int
+    """Number of these flights that keep all limits."""
+
+    @property
+    def share(self) -> float:
+        """Share of these flights that keep all limits."""
+        return self.kept / self.flights
+
+
 @dataclass(frozen=True)
 class WorstCase:
     """Worst case of measures over a field, and where it keeps limits."""
@@ -99,6 +117,8 @@ class WorstCase:
     """Conditions in words on the flights."""
     robots: dict[str, tuple[WorstCaseCell, ...]]
     """Cells with flights, by robot, in ascending order."""
+    better: dict[str, tuple[FieldCellShare, ...]]
+    """Cells of other fields in which a robot keeps the limits more often, the best first."""
 
     def keeps(self, cell: WorstCaseCell, limit: int | None = None) -> bool:
         """True if enough flights of a cell keep a limit, by number, or all limits."""
@@ -154,6 +174,25 @@ class WorstCase:
         }  # fmt: skip
 
 
+@dataclass(frozen=True)
+class WorstCaseMap:
+    """Worst case over all fields but two: over the first, for each cell of the second."""
+
+    across: Scale
+    """The second field."""
+    slices: dict[int, WorstCase]
+    """Worst cases over the first field by the cell of the second."""
+    whole: WorstCase
+    """The worst case over the second field, too."""
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data, in SI."""
+        slices = [
+            self.across.named_cell(k) | {"along": one.as_dict()} for k, one in self.slices.items()
+        ]
+        return {"across": self.across.name, "unit": self.across.unit, "slices": slices}
+
+
 def flights_needed(share: float, flights: int) -> int:
     """Smallest number of flights that is a share of them, at least one."""
     return max(1, math.ceil(share * flights - 1e-9))
@@ -166,7 +205,7 @@ def least_share(kept: int, flights: int) -> float:
 
 def worst_case(
     campaign: Campaign,
-    by: str,
+    by: str | Scale,
     limits: Sequence[str] = (),
     *,
     measure: str | None = None,
@@ -177,7 +216,7 @@ def worst_case(
 
     Args:
         campaign: Campaign that varied the field; `springback.Campaign.where` holds other fields.
-        by: Name of the field's column.
+        by: Name of the field's column, or its division into cells.
         limits: Limits in words, as for a plan's ``success``.
         measure: A measure to be shown even if no limit is about it.
         share: Share of the flights at each value of the field that must keep the limits.
@@ -194,14 +233,90 @@ def worst_case(
         read.insert(0, WorstCaseLimit("", "true", measure_column(campaign, measure)))
     if not read:
         raise InputError("limits: give at least one, such as impact_peak_acceleration < 300 m/s^2")
-    if cells is None:
-        flights = campaign.count("FROM flights WHERE outcome <> 'refused'")
-        each = flights // (FLIGHTS_EACH * max(1, len(campaign.robots)))
-        cells = min(max(each, CELLS[0]), CELLS[1])
-    cut = scale(campaign, by, cells)
-    others = tuple(name for name in fields_of(campaign, scatter=True) if name != by)
+    cut = (
+        by if isinstance(by, Scale) else scale(campaign, by, cells or _cell_count(campaign, CELLS))
+    )
+    others = tuple(name for name in fields_of(campaign, scatter=True) if name != cut.name)
     robots = {robot: tuple(_cells(campaign, cut, read, share, robot)) for robot in campaign.robots}
-    return WorstCase(cut, tuple(read), share, others, campaign.conditions, robots)
+    better = _better(campaign, {cut.name}, read, robots)
+    return WorstCase(cut, tuple(read), share, others, campaign.conditions, robots, better)
+
+
+def _cell_count(campaign: Campaign, bounds: tuple[int, int], fields: int = 1) -> int:
+    """Number of cells along each of some fields that flights allow, within bounds."""
+    flights = campaign.count("FROM flights WHERE outcome <> 'refused'")
+    each = flights / (FLIGHTS_EACH * max(1, len(campaign.robots)))
+    return min(max(int(each ** (1.0 / fields)), bounds[0]), bounds[1])
+
+
+def _better(
+    campaign: Campaign,
+    known: Collection[str],
+    limits: Sequence[WorstCaseLimit],
+    robots: Mapping[str, Sequence[WorstCaseCell]],
+) -> dict[str, tuple[FieldCellShare, ...]]:
+    """Of each field but some the cell in which each robot keeps all limits most often.
+
+    Nothing for a robot that keeps them somewhere, and no cell that hardly helps.
+    """
+    kept = " AND ".join(f"({one.sql})" for one in limits)
+    names = [name for name in fields_of(campaign) if name not in known]
+    found: dict[str, list[FieldCellShare]] = {robot: [] for robot in robots}
+    for cut in (scale(campaign, name, PARTS) for name in names):
+        sql = f"""SELECT robot, ({cut.cell})::INTEGER AS cell, count(*),
+                         count(*) FILTER (WHERE {kept}) FROM flights WHERE outcome <> 'refused'
+                  GROUP BY robot, cell ORDER BY robot, cell"""
+        best: dict[str, FieldCellShare] = {}
+        for robot, cell, flights, count in campaign.query(sql).rows:
+            one = FieldCellShare(cut, cell if cell is not None else -1, flights, count)
+            if robot not in robots or not 0 <= one.cell < cut.cells or flights < FEWEST:
+                continue  # a foreign folder may have others
+            if robot not in best or one.share > best[robot].share:
+                best[robot] = one
+        for robot, one in best.items():
+            flights = sum(cell.flights for cell in robots[robot])
+            mean = sum(cell.all_kept for cell in robots[robot]) / max(1, flights)
+            found[robot] += [one] * (one.share > mean + BETTER)
+    ranked = {r: sorted(cells, key=lambda one: -one.share) for r, cells in found.items()}
+    return {robot: tuple(cells[:MOST_LISTED]) for robot, cells in ranked.items()}
+
+
+def worst_case_map(
+    campaign: Campaign,
+    by: tuple[str, str],
+    limits: Sequence[str],
+    *,
+    share: float = 1.0,
+    cells: int | None = None,
+) -> WorstCaseMap:
+    """Worst case over all fields but two.
+
+    Args:
+        campaign: As for `worst_case`.
+        by: Names of the two fields' columns.
+        limits: As there.
+        share: As there.
+        cells: Number of cells of each field without levels.
+
+    Raises:
+        InputError: As there.
+    """
+    count = cells or _cell_count(campaign, CELLS_OF_TWO, 2)
+    if by[0] == by[1]:
+        raise InputError(f"{by[0]},{by[1]}: give two different fields")
+    along, across = (scale(campaign, name, count) for name in by)
+    whole = worst_case(campaign, along, limits, share=share)
+    slices: dict[int, WorstCase] = {}
+    for k in range(across.cells):
+        part = campaign.selection(f"{across.cell} = {k}")
+        cells_of = {
+            robot: tuple(_cells(part, along, whole.limits, share, robot)) for robot in part.robots
+        }
+        if cells_of:
+            slices[k] = replace(whole, robots=cells_of, better={})
+    others = tuple(name for name in whole.others if name != across.name)
+    better = _better(campaign, set(by), whole.limits, whole.robots)
+    return WorstCaseMap(across, slices, replace(whole, others=others, better=better))
 
 
 def _limit(campaign: Campaign, text: str) -> WorstCaseLimit:
@@ -265,8 +380,33 @@ def _worst(values: Values, share: float, *, least: bool) -> float | None:
 
 
 def worst_cases(
-    campaign: Campaign, limits: Sequence[str], fields: Sequence[str] = (), share: float = 1.0
-) -> list[WorstCase]:
-    """Worst case over each of some fields, by default over each that the plan varies."""
-    names = fields or fields_of(campaign)
-    return [worst_case(campaign, name, limits, share=share) for name in names if name != SUCCESS]
+    campaign: Campaign,
+    limits: Sequence[str],
+    fields: Sequence[str] = (),
+    *,
+    share: float = 1.0,
+    cells: int | None = None,
+) -> list[WorstCase | WorstCaseMap]:
+    """Worst case over each of some fields, by default over each that the plan varies.
+
+    Args:
+        campaign: As for `worst_case`.
+        limits: As there.
+        fields: Names of fields, or of two with a comma.
+        share: As there.
+        cells: As there.
+
+    Raises:
+        InputError: As there, or if a text names more than two fields.
+    """
+    found: list[WorstCase | WorstCaseMap] = []
+    for text in fields or fields_of(campaign):
+        first, *rest = (name.strip() for name in text.split(","))
+        if len(rest) > 1:
+            raise InputError(f"{text}: give one field, or two such as stiffness,damping")
+        if rest:
+            pair = (first, rest[0])
+            found.append(worst_case_map(campaign, pair, limits, share=share, cells=cells))
+        else:
+            found.append(worst_case(campaign, first, limits, share=share, cells=cells))
+    return found

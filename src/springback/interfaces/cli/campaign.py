@@ -315,7 +315,7 @@ def refly(folder: Path, row: int, output: Output) -> None:
 )  # fmt: skip
 @click.option(
     "--by", "fields", multiple=True, metavar="FIELD",
-    help="Field of the limits, by default each; without --limit outcomes by its levels.",
+    help="Field, or two with a comma, of the limits; without --limit outcomes by its levels.",
 )  # fmt: skip
 @click.option(
     "--share", type=click.FloatRange(0.0, 1.0, min_open=True), default=1.0, show_default=True,
@@ -327,7 +327,7 @@ def refly(folder: Path, row: int, output: Output) -> None:
 )  # fmt: skip
 @click.option(
     "--cells", type=click.IntRange(2, 64),
-    help="Cells along each field of a map; by default up to 8, of 20 flights each.",
+    help="Cells along each field of maps and limits; by default as many as flights allow.",
 )  # fmt: skip
 @click.option("--scatter", is_flag=True, help="Show success over the scattered parameters, too.")
 @output_options("Folder for summary.html, summary.json and figures.", required=False)
@@ -375,7 +375,7 @@ def summary(
         if not sign or not y or x == y:
             raise InputError(f"--map {text}: give two fields, such as speed,pitch")
         asked.append((scale(known, x, 2).name, scale(known, y, 2).name))
-    for option, given in (("--map", pairs), ("--cells", cells)):
+    for option, given in (("--map", pairs), ("--cells", None if limits else cells)):
         if given and output.out is None:
             raise InputError(f"{option} needs --out: the folder for the figures")
     for name in measures:
@@ -389,7 +389,7 @@ def summary(
         reports = [measure_report(known, name, scatter=scatter) for name in names]
         by = dict.fromkeys([*fields_of_words(known), *(() if limits else fields)])
         levels = [field_summary(known, name) for name in by]
-        worst = worst_cases(known, limits, fields, share) if limits else []
+        worst = worst_cases(known, limits, fields, share=share, cells=cells) if limits else []
     if output.out is not None:
         figures = output.wants_figures()
         with output.folder() as place, output.spinner("drawing"):

@@ -116,7 +116,7 @@ def _check_plan(path: Path, overrides: Sequence[str], terminal: Terminal) -> Non
     counts = {"flights": design.flights, "samples": design.samples, "repeats": plan.repeats}
     data: dict[str, Any] = {"kind": "plan", **counts, "success": design.success, "fields": fields}
     text = [f"{name:<8}  {count}" for name, count in counts.items()]
-    text += [f"success   {design.success}", ""]
+    text += [f"success   {design.rule}", ""]
     text += [f"{one['column']:<24}  {one['values']} {one['unit']}".rstrip() for one in fields]
     warnings = list[str]()
     for robot, base in zip(design.robots, design.bases, strict=True):

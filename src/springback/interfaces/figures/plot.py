@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from springback.campaign.access import Campaign
 from springback.campaign.analysis.distribution import distribution
 from springback.campaign.analysis.marginals import SUCCESS, field_map, marginal
-from springback.campaign.analysis.worst_case import worst_case
+from springback.campaign.analysis.worst_case import worst_case, worst_case_map
 from springback.errors import InputError
 from springback.extras import needs
 from springback.results.flight import Flight
@@ -68,12 +68,17 @@ def plot_campaign(
     from springback.interfaces.figures.measures import distribution_figure
 
     if limits or share is not None:
-        if not isinstance(by, str):
-            raise InputError("by: a limit or a share needs the name of one field")
-        from springback.interfaces.figures.worst_case import worst_case_figure
+        from springback.interfaces.figures.worst_case import (
+            worst_case_figure,
+            worst_case_map_figure,
+        )
 
         own = None if measure == SUCCESS else measure
         whole = 1.0 if share is None else share
+        if by is None or (not isinstance(by, str) and (len(by) != 2 or not limits)):
+            raise InputError("by: a limit needs the name of a field, or two; a share alone one")
+        if not isinstance(by, str):
+            return worst_case_map_figure(worst_case_map(campaign, by, limits, share=whole))
         return worst_case_figure(worst_case(campaign, by, limits, measure=own, share=whole))
     if by is None:
         if measure == SUCCESS:

@@ -9,9 +9,11 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from springback.campaign.analysis.worst_case import WorstCase
+from springback.campaign.analysis.marginals import SUCCESS, FieldMap, MeasureColumn
+from springback.campaign.analysis.worst_case import WorstCase, WorstCaseMap
 from springback.interfaces.figures.campaign import (
     display_values,
+    field_map_figure,
     field_ticks,
     in_words,
     label,
@@ -61,12 +63,12 @@ def worst_case_figure(found: WorstCase, *, answer: bool = True) -> Figure:
 def _panel(axes: Axes, found: WorstCase, k: int, looks: dict[str, RobotStyle]) -> None:
     """One limit: the curve of each robot, the limit, and the values of the field that keep all."""
     limit, unit = found.limits[k], measure_unit(found, k)
-    how = "Worst" if found.share == 1.0 else f"{100.0 * found.share:g} %: worst"
+    how = "Worst" if found.share == 1.0 else f"Worst of {100.0 * found.share:g} % of flights:"
     if limit.measure:
         head = f"{how} {in_words(limit.measure.name)} [{unit.symbol}]"
     else:
         head = "Share of flights that keep it [-]"
-    chart = Chart(axes, label(found.field), head, limit.text)
+    chart = Chart(axes, label(found.field), head, in_words(limit.text).replace("^2", "²"))
     names = list(found.robots)
     of_words = bool(found.field.labels) and not found.field.edges
     for robot, look in looks.items():
@@ -108,3 +110,18 @@ def _kept(chart: Chart, found: WorstCase, robot: str, look: RobotStyle) -> None:
             chart.vline(
                 f"{look.label} keeps all", low, color=look.colour, alpha=0.25, lw=6.0, ls="-"
             )
+
+
+def worst_case_map_figure(found: WorstCaseMap) -> StyledFigure:
+    """Share of flights that keep all limits over two fields, by robot."""
+    cut, robots = found.whole.field, list(found.whole.robots)
+    shape = (found.across.cells, cut.cells)
+    flights = {robot: np.zeros(shape) for robot in robots}
+    shares = {robot: np.full(shape, np.nan) for robot in robots}
+    for k, one in found.slices.items():
+        for robot, cells in one.robots.items():
+            for cell in cells:
+                flights[robot][k, cell.number] = cell.flights
+                shares[robot][k, cell.number] = cell.all_kept / cell.flights
+    measure = MeasureColumn(SUCCESS, "", "all limits are kept")
+    return field_map_figure(FieldMap(measure, cut, found.across, flights, shares))

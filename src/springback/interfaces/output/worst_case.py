@@ -9,6 +9,7 @@ from springback.campaign.analysis.worst_case import (
     FieldRange,
     WorstCase,
     WorstCaseLimit,
+    WorstCaseMap,
     least_share,
 )
 from springback.interfaces.output.fields import cell_text, unit_text
@@ -19,8 +20,13 @@ from springback.intervals import CONFIDENCE
 MOST_NAMED = 6
 
 
-def worst_case_lines(found: WorstCase) -> list[str]:
+def answer_lines(found: WorstCase | WorstCaseMap) -> list[str]:
     """Where each robot keeps the limits, in sentences; none without limits."""
+    return worst_case_lines(found) if isinstance(found, WorstCase) else _map_lines(found)
+
+
+def worst_case_lines(found: WorstCase) -> list[str]:
+    """As `answer_lines`, over one field."""
     limits = [one for one in found.limits if one.text]
     if not limits:
         return []
@@ -33,13 +39,65 @@ def worst_case_lines(found: WorstCase) -> list[str]:
                 for k, one in enumerate(found.limits) if one.text
             ]  # fmt: skip
         lines += _without_measure(found, robot)
+        lines += [] if found.ranges(robot) else _better(found, robot)
     return [*lines, _taken_over(found)]
+
+
+def _better(found: WorstCase, robot: str) -> list[str]:
+    """What to hold so that the limits are kept more often."""
+    parts = [
+        f"{one.field.name} {cell_text(one.field, *one.field.bounds(one.cell))} "
+        f"({100.0 * one.share:.0f} % of flights)"
+        for one in found.better.get(robot, ())
+    ]
+    return [f"{robot}: kept more often with {', or '.join(parts)}; see --where"] if parts else []
+
+
+def _map_lines(found: WorstCaseMap) -> list[str]:
+    """Where each robot keeps the limits, over two fields."""
+    whole, across = found.whole, found.across
+    said = " and ".join(one.text for one in whole.limits)
+    how = _how(whole)
+    lines = []
+    for robot in whole.robots:
+        kept = {k: one.ranges(robot) for k, one in found.slices.items() if robot in one.robots}
+        if any(kept.values()):
+            lines.append(f"{robot} keeps {said} in {how} with")
+            lines += [
+                f"  {across.name} {cell_text(across, *across.bounds(k))}: {whole.field.name} "
+                f"{_ranges(whole, parts)}, of {_fewest(parts)} flights or more in each cell"
+                for k, parts in kept.items() if parts
+            ]  # fmt: skip
+            continue
+        cells = {k: one.best(robot) for k, one in found.slices.items() if robot in one.robots}
+        flown = {k: cell for k, cell in cells.items() if cell is not None}
+        if not flown:
+            lines.append(f"{robot}: no flight was flown")
+            continue
+        k = max(flown, key=lambda k: flown[k].all_kept / flown[k].flights)
+        lines.append(
+            f"{robot}: no {whole.field.name} and {across.name} keep {said} in {how}; closest are "
+            f"{cell_text(whole.field, flown[k].low, flown[k].high)} and "
+            f"{cell_text(across, *across.bounds(k))}, with {flown[k].all_kept} of "
+            f"{flown[k].flights} flights"
+        )
+        lines += _better(whole, robot)
+    return [*lines, _taken_over(whole)]
+
+
+def _how(found: WorstCase) -> str:
+    return "every flight" if found.share == 1.0 else f"{100.0 * found.share:g} % of flights"
+
+
+def _fewest(parts: Sequence[FieldRange]) -> int:
+    """Smallest number of flights of a cell."""
+    return min(cell.flights for part in parts for cell in part.cells)
 
 
 def _answer(found: WorstCase, robot: str, limits: Sequence[WorstCaseLimit]) -> str:
     """Sentence on where a robot keeps all limits."""
     said = " and ".join(one.text for one in limits)
-    how = "every flight" if found.share == 1.0 else f"{100.0 * found.share:g} % of flights"
+    how = _how(found)
     parts, name = found.ranges(robot), found.field.name
     if not parts:
         best = found.best(robot)
@@ -101,7 +159,7 @@ def _taken_over(found: WorstCase) -> str:
     more = len(found.others) - len(names)
     over = ", ".join(names) + f" and {more} more" * bool(more)
     where = f"; only flights with {'; '.join(found.conditions)}" * bool(found.conditions)
-    return f"taken over all {over or 'repeats'}{where}"
+    return f"The worst case is over all {over or 'repeats'}{where}"
 
 
 def measure_unit(found: WorstCase, k: int) -> DisplayUnit:
@@ -111,8 +169,24 @@ def measure_unit(found: WorstCase, k: int) -> DisplayUnit:
     return display_unit(one.measure.unit if one.measure else "", [*values, *one.values])
 
 
-def worst_case_table(found: WorstCase) -> tuple[list[str], list[tuple[Any, ...]]]:
-    """Table of the worst case, a row for each robot and value of the field."""
+Rows = tuple[list[str], list[tuple[Any, ...]]]
+"""Heads of a table, and its rows."""
+
+
+def answer_table(found: WorstCase | WorstCaseMap) -> Rows:
+    """Table of a worst case, a row for each robot and value of the field, or of the two."""
+    if isinstance(found, WorstCase):
+        return worst_case_table(found)
+    head, _ = worst_case_table(found.whole)
+    rows = [
+        (robot, cell_text(found.across, *found.across.bounds(k)), *rest)
+        for k, one in found.slices.items() for robot, *rest in worst_case_table(one)[1]
+    ]  # fmt: skip
+    return [head[0], found.across.name, *head[1:]], rows
+
+
+def worst_case_table(found: WorstCase) -> Rows:
+    """As `answer_table`, over one field."""
     units = [measure_unit(found, k) for k in range(len(found.limits))]
     shown = [k for k, one in enumerate(found.limits) if one.measure]
     head = ["robot", found.field.name, "flights"]

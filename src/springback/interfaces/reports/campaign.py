@@ -8,10 +8,10 @@ from pathlib import Path
 from springback.campaign.analysis.failures import failures
 from springback.campaign.analysis.levels import FieldSummary
 from springback.campaign.analysis.statistics import Summary
-from springback.campaign.analysis.worst_case import WorstCase
+from springback.campaign.analysis.worst_case import WorstCase, WorstCaseMap
 from springback.files import write_json
 from springback.interfaces.output.tables import as_text
-from springback.interfaces.output.worst_case import worst_case_lines, worst_case_table
+from springback.interfaces.output.worst_case import answer_lines, answer_table
 from springback.interfaces.reports.measures import MeasureReport, measure_report
 from springback.interfaces.reports.outcomes import (
     distribution_table,
@@ -28,7 +28,7 @@ def summary_text(
     measures: Sequence[MeasureReport] = (),
     *,
     levels: Sequence[FieldSummary] = (),
-    worst_cases: Sequence[WorstCase] = (),
+    worst_cases: Sequence[WorstCase | WorstCaseMap] = (),
 ) -> str:
     """Summary for a terminal; see `write_summary`."""
     about = found.campaign.metadata
@@ -52,7 +52,7 @@ def summary_text(
     for one in measures:
         lines += ["", *_measure_lines(one)]
     for worst in worst_cases:
-        lines += ["", *worst_case_lines(worst), as_text(*worst_case_table(worst))]
+        lines += ["", *answer_lines(worst), as_text(*answer_table(worst))]
     replay = failures(found.campaign, 1).sentence()
     return "\n".join([*lines, *(["", replay] * bool(replay))])
 
@@ -78,7 +78,7 @@ def write_summary(
     *,
     measures: Sequence[MeasureReport] = (),
     levels: Sequence[FieldSummary] = (),
-    worst_cases: Sequence[WorstCase] = (),
+    worst_cases: Sequence[WorstCase | WorstCaseMap] = (),
     pairs: Sequence[tuple[str, str]] = (),
     cells: int | None = None,
     scatter: bool = False,

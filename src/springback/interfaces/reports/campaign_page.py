@@ -14,13 +14,13 @@ from springback.campaign.analysis.failures import FailureList, failures
 from springback.campaign.analysis.levels import FieldSummary
 from springback.campaign.analysis.marginals import SUCCESS, field_map
 from springback.campaign.analysis.statistics import Summary
-from springback.campaign.analysis.worst_case import WorstCase
+from springback.campaign.analysis.worst_case import WorstCase, WorstCaseMap
 from springback.interfaces.figures import campaign as figures
 from springback.interfaces.figures import measures as measure_figures
 from springback.interfaces.figures import style
-from springback.interfaces.figures.worst_case import worst_case_figure
+from springback.interfaces.figures.worst_case import worst_case_figure, worst_case_map_figure
 from springback.interfaces.output.robots import robot_label, with_labels
-from springback.interfaces.output.worst_case import worst_case_lines, worst_case_table
+from springback.interfaces.output.worst_case import answer_lines, answer_table
 from springback.interfaces.reports.measures import MeasureReport
 from springback.interfaces.reports.outcomes import (
     distribution_table,
@@ -59,7 +59,7 @@ def write_page(
     pairs: Sequence[tuple[str, str]] = (),
     cells: int | None = None,
     levels: Sequence[FieldSummary] = (),
-    worst_cases: Sequence[WorstCase] = (),
+    worst_cases: Sequence[WorstCase | WorstCaseMap] = (),
 ) -> list[Path]:
     """Write figures, and the page ``summary.html`` with them.
 
@@ -146,17 +146,33 @@ def words_of_map(x: str, y: str) -> str:
     return WORDS.say("map_success", x=_plain(x), y=_plain(y))
 
 
-def _limit_blocks(found: WorstCase) -> Blocks:
+def _limit_blocks(found: WorstCase | WorstCaseMap) -> Blocks:
     """Answer, figure and table of a worst case."""
-    name = _plain(found.field.name)
-    said = WORDS.say("worst_case", field=name, share=100.0 * found.share)
-    picture = FigureBlock(
-        f"limits-{found.field.name}", said, worst_case_figure(found, answer=False)
-    )
-    lines = _entries(*worst_case_table(found))
+    if isinstance(found, WorstCase):
+        names, name = [found.field.name], _plain(found.field.name)
+        said = WORDS.say("worst_case", field=name, share=100.0 * found.share)
+        figure = worst_case_figure(found, answer=False)
+    else:
+        names = [found.whole.field.name, found.across.name]
+        name = _plain(" and ".join(names))
+        said = WORDS.say("worst_case_map", fields=name)
+        figure = worst_case_map_figure(found)
+    picture = FigureBlock("-".join(["limits", *names]), said, figure)
+    lines = _entries(*answer_table(found))
     caption = WORDS.say("worst_case_table", field=name)
     numbers = table(caption, [str(word) for word in lines[0]], lines[1:], folded=True)
-    return (*(f"{_plain(line)}." for line in worst_case_lines(found)), picture, numbers)
+    return (*_paragraphs(answer_lines(found)), picture, numbers)
+
+
+def _paragraphs(lines: Sequence[str]) -> list[str]:
+    """Lines as sentences; indented ones continue that before them."""
+    found: list[str] = []
+    for line in lines:
+        if line.startswith(" "):
+            found[-1] += ("; " if ": " in found[-1] else ": ") + _plain(line.strip())
+        else:
+            found.append(_plain(line))
+    return [f"{text}." for text in found]
 
 
 def _level_blocks(found: FieldSummary) -> Blocks:
