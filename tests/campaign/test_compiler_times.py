@@ -48,6 +48,8 @@ def test_kinds_differ_in_types_not_in_numbers() -> None:
     kinds = flight_kinds([THROW, other, HOVER, locked, {"vehicle": "nothing"}])
     assert [kind.guided for kind in kinds[:2]] == [False, True]
     assert len({kind.key for kind in kinds}) == len(kinds) <= 3
+    [alone] = flight_kinds([THROW], alone=True)
+    assert alone.key != kinds[0].key  # another kernel
 
 
 def test_the_record_knows_what_was_compiled_and_how_long_it_took(
@@ -106,8 +108,8 @@ def test_what_compiling_will_take_is_said_before(
     monkeypatch.setattr(cost_estimate.os, "cpu_count", lambda: 2)
     kinds = [FlightKind("a", False, THROW), FlightKind("b", True, THROW)]
     assert cost_estimate.compiling_text(kinds, {}) == (
-        "kernels: 2 of 2 kinds of flight not in the cache, as far as is known; compiling takes "
-        "1 min 20 s of processor time (typically); at the present load of 5.0 processes about "
+        "kernels: those of 2 of 2 kinds of flight are not in the cache, as far as is known; compiling "
+        "takes 1 min 20 s of processor time (typically); at the present load of 5.0 processes about "
         "4 min 00 s"
     )
     [kind] = flight_kinds([THROW])

@@ -21,6 +21,7 @@ from springback.errors import InputError
 from springback.files import json_text, write_atomically
 from springback.kernels.compiler import cache_folder, is_writable, source_digest
 from springback.kernels.layout import structure
+from springback.results.flight import fly
 from springback.results.sealed_json import digest_of
 from springback.scenario.scenario import scenario_from
 
@@ -41,6 +42,8 @@ class FlightKind(NamedTuple):
     """True if it has avionics."""
     tables: Mapping[str, Any]
     """Scenario of one such flight."""
+    alone: bool = False
+    """True if it is flown alone with its trajectory, as kept flights are, not in lanes."""
 
 
 class CompilerTime(NamedTuple):
@@ -54,8 +57,13 @@ class CompilerTime(NamedTuple):
     """True if its kernels are in the cache, as far as the record says."""
 
 
-def flight_kinds(tables: Sequence[Mapping[str, Any]]) -> list[FlightKind]:
-    """Kinds of some flights, without those that cannot be flown or have a pilot in plain Python."""
+def flight_kinds(tables: Sequence[Mapping[str, Any]], *, alone: bool = False) -> list[FlightKind]:
+    """Kinds of some flights, without those that cannot be flown or have a pilot in plain Python.
+
+    Args:
+        tables: Scenarios of the flights.
+        alone: See `FlightKind`.
+    """
     found: dict[str, FlightKind] = {}
     for given in tables:
         with contextlib.suppress(InputError):
@@ -63,9 +71,9 @@ def flight_kinds(tables: Sequence[Mapping[str, Any]]) -> list[FlightKind]:
             if ready.plain is not None:
                 continue
             avionics = ready.built_avionics.avionics if ready.built_avionics else None
-            types = repr((structure(ready.model), structure(avionics)))
+            types = repr((structure(ready.model), structure(avionics), alone))
             key = hashlib.sha256(types.encode()).hexdigest()[:32]
-            found.setdefault(key, FlightKind(key, avionics is not None, given))
+            found.setdefault(key, FlightKind(key, avionics is not None, given, alone))
     return list(found.values())
 
 
@@ -103,7 +111,10 @@ def compile_kind(kind: FlightKind, code: Mapping[str, str]) -> float:
         Processor time of the compilation; 0 if the kernels were in the cache.
     """
     before, begun = kernel_files(), time.process_time()
-    fly_scenarios([kind.tables])
+    if kind.alone:
+        fly(dict(kind.tables))
+    else:
+        fly_scenarios([kind.tables])
     took, new = time.process_time() - begun, kernel_files() - before
     loaded = not new and is_writable(cache_folder())
     known = _record()

@@ -127,10 +127,12 @@ def compiling_text(kinds: Sequence[FlightKind], code: Mapping[str, str]) -> str:
     last = "the last time" if all(one.recorded for one in new) else "typically"
     slower = (load + 1.0) / cores
     loaded = f"; at the present load of {load:.1f} processes about {duration_text(work * slower)}"
-    count = f"{len(new)} of {len(known)} kinds" if len(known) > 1 else "this kind"
+    count = f"those of {len(new)} of {len(known)} kinds" if len(known) > 1 else "those of this kind"
+    alone = " (flights to be kept are flown alone, a kind of their own)"
+    kept = alone if any(kind.alone for kind in kinds) else ""
     return (
-        f"kernels: {count} of flight not in the cache, as far as is known; compiling takes "
-        f"{duration_text(work)} of processor time ({last}){loaded if slower > NOTICED else ''}"
+        f"kernels: {count} of flight{kept} are not in the cache, as far as is known; compiling "
+        f"takes {duration_text(work)} of processor time ({last}){loaded if slower > NOTICED else ''}"
     )
 
 
@@ -150,6 +152,8 @@ def cost_estimate(
     drawn = [design.slice(k, k + 1) for k in numbers]
     tables = [one.tables[0] for one in drawn]
     kinds = flight_kinds(tables)
+    if design.plan.keep is not None:  # which are flown again, one by one
+        kinds += flight_kinds(tables[: len(design.robots)], alone=True)
     if remark is not None:
         remark(compiling_text(kinds, design.code))
     load, known = _load(), kernel_files()
