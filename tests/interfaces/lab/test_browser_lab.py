@@ -399,6 +399,13 @@ def test_a_hexarotor_of_ones_own_is_flown_and_swept_on_both_screens(
                     lambda: browser.find_element(ID, "set-stiffness").is_displayed(), "a control"
                 )
                 assert control
+                pane = browser.find_element(CSS, ".settings").rect
+                buttons = browser.find_elements(CSS, ".settings .choice button")
+                boxes = [button.rect for button in buttons if button.is_displayed()]
+                assert len(boxes) >= 6
+                for box in boxes:  # names may be long
+                    assert box["width"] >= 30
+                    assert box["x"] + box["width"] <= pane["x"] + pane["width"] - 12
                 slide(browser, "stiffness", 800)
                 until(lambda: "stiffness=" in shown(browser)["query"], "a stiffer one")
                 [after] = browser.execute_script(state)["points"]
