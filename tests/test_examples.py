@@ -147,7 +147,8 @@ def campaign(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder of rows that no flight made, with all columns of a campaign."""
     folder = tmp_path_factory.mktemp("campaign") / "results"
     stiffness = {"field": "stiffness", "from": "1 N/mm", "to": "9 N/mm"}
-    filled(folder, parts=2, size=8, vary=[SPEED, PITCH, SURFACE, stiffness, WALL])
+    damping = {"field": "damping", "from": "5 N s/m", "to": "50 N s/m"}
+    filled(folder, parts=2, size=8, vary=[SPEED, PITCH, SURFACE, stiffness, damping, WALL])
     return folder
 
 

@@ -127,12 +127,13 @@ def compiling_text(kinds: Sequence[FlightKind], code: Mapping[str, str]) -> str:
     last = "the last time" if all(one.recorded for one in new) else "typically"
     slower = (load + 1.0) / cores
     loaded = f"; at the present load of {load:.1f} processes about {duration_text(work * slower)}"
+    loaded = loaded if slower > NOTICED else ""
     count = f"those of {len(new)} of {len(known)} kinds" if len(known) > 1 else "those of this kind"
     alone = " (flights to be kept are flown alone, a kind of their own)"
     kept = alone if any(kind.alone for kind in kinds) else ""
     return (
         f"kernels: {count} of flight{kept} are not in the cache, as far as is known; compiling "
-        f"takes {duration_text(work)} of processor time ({last}){loaded if slower > NOTICED else ''}"
+        f"takes {duration_text(work)} of processor time ({last}){loaded}"
     )
 
 
