@@ -318,8 +318,8 @@ def refly(folder: Path, row: int, output: Output) -> None:
     help="Field, or two with a comma, of the limits; without --limit outcomes by its levels.",
 )  # fmt: skip
 @click.option(
-    "--share", type=click.FloatRange(0.0, 1.0, min_open=True), default=1.0, show_default=True,
-    help="Share of flights that must keep each limit: 0.95 leaves out the worst twentieth.",
+    "--share", type=float,
+    help="Share of flights that must keep the limits, by default all, 1: 0.95 forgives one in 20.",
 )  # fmt: skip
 @click.option(
     "--where", "conditions", multiple=True, metavar="WORDS",
@@ -337,7 +337,7 @@ def summary(
     measures: tuple[str, ...],
     limits: tuple[str, ...],
     fields: tuple[str, ...],
-    share: float,
+    share: float | None,
     conditions: tuple[str, ...],
     cells: int | None,
     scatter: bool,
@@ -378,18 +378,32 @@ def summary(
     for option, given in (("--map", pairs), ("--cells", None if limits else cells)):
         if given and output.out is None:
             raise InputError(f"{option} needs --out: the folder for the figures")
-    for name in measures:
-        try:
-            measure_column(known, name)
-        except InputError as error:
-            raise InputError(f"--measure {error}") from None
+    checks: list[tuple[str, Callable[[str], Any], list[str]]] = [
+        ("--measure", lambda name: measure_column(known, name), [*measures]),
+        ("--limit", lambda text: known.design.condition(text, judged=True), [*limits]),
+        ("--by", lambda name: scale(known, name.strip(), 2), ",".join(fields).split(",")),
+    ]
+    for option, check, given_words in checks:
+        for word in filter(None, given_words):
+            try:
+                check(word)
+            except InputError as error:
+                raise InputError(f"{option} {error}") from None
+    if share is not None and not 0.0 < share <= 1.0:
+        raise InputError(f"--share: must be above 0 and at most 1 (got {share:g})")
+    if share is not None and not limits:
+        raise InputError("--share needs --limit: what that share of flights must keep")
+    if any("," in text for text in fields) and not limits:
+        raise InputError("--by: two fields need --limit, whose values they keep")
     with output.spinner("summing up"):
         found = summed_up(known)
         names = [name for name in dict.fromkeys(measures) if name != SUCCESS]
         reports = [measure_report(known, name, scatter=scatter) for name in names]
         by = dict.fromkeys([*fields_of_words(known), *(() if limits else fields)])
         levels = [field_summary(known, name) for name in by]
-        worst = worst_cases(known, limits, fields, share=share, cells=cells) if limits else []
+        worst = (
+            worst_cases(known, limits, fields, share=share or 1.0, cells=cells) if limits else []
+        )
     if output.out is not None:
         figures = output.wants_figures()
         with output.folder() as place, output.spinner("drawing"):
