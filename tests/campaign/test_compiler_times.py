@@ -86,7 +86,7 @@ def test_a_kind_is_compiled_once_in_a_process(cache: Path, monkeypatch: pytest.M
 
 @pytest.mark.parametrize(
     "content",
-    ["", "[]", "{", '{"KEY": 3}', '{"KEY": {"seconds": -1, "state": "", "files": []}}',
+    ["", "[]", "{", "[" * 100_000, '{"KEY": 3}', '{"KEY": {"seconds": -1, "state": "", "files": []}}',
      '{"KEY": {"seconds": 1, "state": "", "files": [3]}}',
      '{"KEY": {"seconds": "1", "state": "", "files": []}}',
      '{"KEY": {"seconds": NaN, "state": "", "files": []}}',
@@ -99,6 +99,16 @@ def test_a_record_that_cannot_be_read_is_no_record(cache: Path, content: str) ->
     compile_kind(kind, {})
     assert compiler_time(kind, {}).recorded
     assert list(json.loads((cache / RECORD).read_text())) == [kind.key]
+
+
+def test_names_in_a_record_are_only_looked_up(cache: Path) -> None:
+    [kind] = flight_kinds([THROW])
+    compile_kind(kind, {})
+    known = json.loads((cache / RECORD).read_text())
+    for name in ("x" * 5000, "\ud800", "no such file"):
+        known[kind.key]["files"] = [name]
+        (cache / RECORD).write_text(json.dumps(known))
+        assert not compiler_time(kind, {}).cached
 
 
 def test_what_compiling_will_take_is_said_before(

@@ -317,5 +317,9 @@ def test_the_page_shows_answers_levels_and_conditions(campaign: Campaign, tmp_pa
     assert data["by"][0]["field"] == "surface"
 
 
+def test_a_notebook_says_which_flights_it_shows(campaign: Campaign) -> None:
+    assert "; only touch_speed &lt; 2 m/s" in campaign.where("touch_speed < 2 m/s")._repr_html_()
+
+
 def test_the_package_offers_it(campaign: Campaign) -> None:
     assert springback.Campaign.where(campaign, "surface = mat").count("FROM flights") < 800

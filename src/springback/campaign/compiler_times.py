@@ -94,7 +94,7 @@ def compiler_time(kind: FlightKind, code: Mapping[str, str]) -> CompilerTime:
     if entry is None:
         return CompilerTime(TYPICAL[kind.guided], False, False)
     files = [_root() / name for name in entry["files"]]
-    there = all(path.is_file() for path in files) if files else bool(kernel_files())
+    there = all(map(_exists, files)) if files else bool(kernel_files())
     cached, seconds = there and entry["state"] == _state(code), entry["seconds"]
     known = seconds is not None
     return CompilerTime(seconds if known else TYPICAL[kind.guided], known, cached)
@@ -164,7 +164,7 @@ def _record() -> dict[str, dict[str, Any]]:
     """Valid entries of the record, in the order of their age."""
     try:
         given = json.loads((_root() / RECORD).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+    except (OSError, ValueError, RecursionError):
         return {}
     return dict(_valid_entries(given)) if isinstance(given, dict) else {}
 
@@ -179,6 +179,13 @@ def _valid_entries(given: Mapping[str, Any]) -> Iterator[tuple[str, dict[str, An
             and all(isinstance(name, str) and "\0" not in name for name in entry["files"])
         ):
             yield key, {"seconds": None} | entry
+
+
+def _exists(path: Path) -> bool:
+    try:
+        return path.is_file()
+    except OSError:  # a name that is too long
+        return False
 
 
 def _is_time(given: Any) -> bool:
