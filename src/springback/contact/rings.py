@@ -80,21 +80,21 @@ class LowPoints(NamedTuple):
     saddle: LowPoint  # the highest point on the way from one to the other, if inside; else `FAR`
 
 
-class Opposite(NamedTuple):
+class InverseShape(NamedTuple):
     """A shape with its inside out: its lowest points are the highest of the shape."""
 
     shape: Any
 
 
-@signed_distance.register(Opposite)
+@signed_distance.register(InverseShape)
 @kernel
-def _opposite_distance(opposite: Opposite, point: Vec) -> float:
+def _opposite_distance(opposite: InverseShape, point: Vec) -> float:
     return -signed_distance(opposite.shape, point)
 
 
-@outward_normal.register(Opposite)
+@outward_normal.register(InverseShape)
 @kernel
-def _opposite_normal(opposite: Opposite, point: Vec) -> Vec:
+def _opposite_normal(opposite: InverseShape, point: Vec) -> Vec:
     return -outward_normal(opposite.shape, point)
 
 
@@ -206,7 +206,7 @@ def _highest_between(
         ahead = _rotate(ahead, _SHORT)
     if highest >= 0.0 or highest == -FAR:
         return LowPoint(first, FAR if highest >= 0.0 else highest, Vec(0.0, 0.0, 1.0))
-    opposite = Opposite(shape)
+    opposite = InverseShape(shape)
     a, b = _rotate(best, Direction(_SHORT.x, -_SHORT.y)), _rotate(best, _SHORT)
     falls, rises = _rise(opposite, centre, radius, a), _rise(opposite, centre, radius, b)
     if falls < 0.0 <= rises:

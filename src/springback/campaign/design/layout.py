@@ -117,8 +117,12 @@ class Design:
         Raises:
             InputError: If a name or a quantity is wrong.
         """
-        fields = {one.column: None if one.text else one.unit for one in self.dimensions}
-        return condition_in_words(text, fields, judged=judged)
+        return condition_in_words(text, self.condition_fields, judged=judged)
+
+    @property
+    def condition_fields(self) -> dict[str, str | None]:
+        """Unit of each varied field by column, for `condition_in_words`; None for words."""
+        return {one.column: None if one.text else one.unit for one in self.dimensions}
 
     @property
     def success(self) -> str:

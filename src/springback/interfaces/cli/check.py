@@ -101,10 +101,10 @@ def _conclude(sentence: str, warnings: list[str], terminal: Terminal) -> None:
 
 
 def _check_plan(path: Path, overrides: Sequence[str], terminal: Terminal) -> None:
-    from springback.campaign.access import check_conditions
     from springback.campaign.design.layout import lay_out
     from springback.campaign.design.plan import read_plan
     from springback.campaign.limits_check import unmet_limits
+    from springback.campaign.plan_check import check_conditions
     from springback.scenario.scenario import scenario_from
 
     with terminal.spinner("reading the plan"):
@@ -118,7 +118,7 @@ def _check_plan(path: Path, overrides: Sequence[str], terminal: Terminal) -> Non
     counts = {"flights": design.flights, "samples": design.samples, "repeats": plan.repeats}
     data: dict[str, Any] = {"kind": "plan", **counts, "success": design.success, "fields": fields}
     text = [f"{name:<8}  {count}" for name, count in counts.items()]
-    text += [f"success   {design.success}", ""]
+    text += [f"success   {design.rule}", ""]
     text += [f"{one['column']:<24}  {one['values']} {one['unit']}".rstrip() for one in fields]
     warnings = list[str]()
     for robot, base in zip(design.robots, design.bases, strict=True):

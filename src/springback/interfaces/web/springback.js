@@ -1,4 +1,4 @@
-/*! springback, MIT licence; sources aae8659deee71ae43afea80aa196de76e907bc6c6945a531dc346b7ff4896b5e
+/*! springback, MIT licence; sources e63cb6bc875b65da0321536069438d8c67997b1bd7f8c4911c8d63337c632b4e
 
 It holds:
 
