@@ -193,21 +193,25 @@ def _highest_between(
     Its gap is `FAR` if the ring is outside somewhere.
     """
     end = _rotate(last, Direction(first.x, -first.y))
-    ahead, best, highest = _SHORT, first, -FAR
+    ahead, best, highest, before, after = _SHORT, first, -FAR, first, last
+    there = first
     for _ in range(SHORTS):
-        if not _is_before(ahead, end):
+        if not _is_before(ahead, end) or highest >= 0.0:
             break
-        there = _rotate(first, ahead)
+        earlier, there = there, _rotate(first, ahead)
         gap = _distance(shape, centre, radius, there)
-        if gap > highest:
-            best, highest = there, gap
-        if gap >= 0.0:
-            break
         ahead = _rotate(ahead, _SHORT)
+        if gap > highest:
+            best, highest, before = there, gap, earlier
+            after = _rotate(there, _SHORT) if _is_before(ahead, end) else last
     if highest >= 0.0 or highest == -FAR:
         return LowPoint(first, FAR if highest >= 0.0 else highest, Vec(0.0, 0.0, 1.0))
-    opposite = InverseShape(shape)
-    a, b = _rotate(best, Direction(_SHORT.x, -_SHORT.y)), _rotate(best, _SHORT)
+    # At a minimum the slope has no sign: the bracket ends halfway to it.
+    opposite, a, b = InverseShape(shape), before, after
+    if (a.x == first.x) & (a.y == first.y):
+        a = _between(first, best, 0.5)
+    if (b.x == last.x) & (b.y == last.y):
+        b = _between(best, last, 0.5)
     falls, rises = _rise(opposite, centre, radius, a), _rise(opposite, centre, radius, b)
     if falls < 0.0 <= rises:
         found = _turning(opposite, centre, radius, a, b, falls, rises)
