@@ -2,7 +2,7 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { palette } from "./colours.js";
-import { estimateAt, flightOf, hasEstimate, largestForce, poseAt, roundBelow, touchOf, unpacked } from "./flight.js";
+import { estimateAt, flightOf, hasEstimate, largestForce, poseAt, roundBelow, touchOf } from "./flight.js";
 import { Arrow, Robot, disposed } from "./robot.js";
 import { Path, Shadow, compass, joined, moved, obstacle, rail, reference } from "./surroundings.js";
 
@@ -90,6 +90,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
   const resolution = new THREE.Vector2(1, 1);
 
   if (renderer) {
+    renderer.localClippingEnabled = true;
     element.append(renderer.domElement, labels, legend);
     renderer.domElement.setAttribute("role", "img");
     renderer.domElement.setAttribute("aria-label", "The flight in three dimensions, with numbers beside it.");
@@ -230,14 +231,14 @@ export function createScene(element, { flights = [], compare = "side", align = t
       return { flight, group, robot, estimate, path, arrows, shadow, scale, names, ghost, contacts: [] };
     });
     const things = state.flights.flatMap((flight, k) => flight.obstacles.map((one) => moved(one, places[k])));
+    const ground = things.some((one) => one.kind === "ground") ? state.floor : null;
     joined(things).forEach((thing) => {
-      const drawn = obstacle(thing, colours, unpacked);
+      const drawn = obstacle(thing, colours, ground);
       drawn.position.set(...(thing.moved ?? [0, 0, 0]));
       content.add(drawn);
     });
-    const grounds = things.filter((one) => one.kind === "ground");
     state.box = boxes.clone();
-    if (!grounds.length) {
+    if (ground === null) {
       boxes.min.z = state.floor;
       content.add(reference(boxes, colours));
     }
