@@ -24,7 +24,7 @@ from springback.contact.shapes import (
     Window,
     solids_of,
 )
-from springback.interfaces.replay.shape_meshes import ShapeMesh, EndSpan, mesh_of, trunks
+from springback.interfaces.replay.shape_meshes import EndSpan, ShapeMesh, mesh_of, trunks
 from springback.kernels.routines import NumberTable
 from springback.kernels.vectors import Vec
 

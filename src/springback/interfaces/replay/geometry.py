@@ -13,8 +13,8 @@ from springback.contact.scene.table import ENDLESS, Solid
 from springback.contact.shapes import Body, Forest, ShapeSettings, Slope, Stairs
 from springback.contact.worlds import BuiltIn, Own
 from springback.interfaces.replay.shape_meshes import (
-    ShapeMesh,
     EndSpan,
+    ShapeMesh,
     as_one,
     mesh_of,
     mesh_of_body,
