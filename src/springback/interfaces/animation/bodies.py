@@ -6,6 +6,8 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 from springback.interfaces.replay.geometry import Drawable
 from springback.interfaces.replay.scene import ArmShape, HullShape, Scene
@@ -24,7 +26,7 @@ EDGE_ON = 0.2
 TOUCHED = 0.06
 """Chosen: a contact point that is farther from all planes is on a body [m]; mats are compressed."""
 BESIDE, SAME = 1.0, 1e-9
-"""Chosen: outlines are of what is within this of the plane of a view; points that are one [m]."""
+"""Chosen: outlines are of bodies within this of the plane of a view; points that are one [m]."""
 
 
 class ViewPlane(NamedTuple):
@@ -229,22 +231,36 @@ def section_outlines(thing: Drawable, view: ViewPlane) -> list[Array]:
 
 
 def silhouette(thing: Drawable, view: ViewPlane) -> list[Array]:
-    """Outline of a mesh as it is seen in a view, of what is near its plane [m].
+    """Outline of a mesh as it is seen in a view, of those of its bodies that are near its plane [m].
 
     The outlines of overlapping parts wind in the same sense, those of openings in the other.
     """
     if thing.vertices is None or thing.triangles is None:
         return []
-    flat, cells = view(thing.vertices), thing.triangles
+    flat, cells, count = view(thing.vertices), thing.triangles, len(thing.vertices)
     a, b, c = (flat[cells[:, k]] for k in range(3))
     u, v = b - a, c - a
-    height = ((thing.vertices - view.through) @ view.outward())[cells]
-    near = (height.min(axis=1) < BESIDE) & (height.max(axis=1) > -BESIDE)
+    near = _near_bodies(cells, (thing.vertices - view.through) @ view.outward())
     front = cells[near & (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0] > 0.0)]
     ways = np.concatenate([front[:, [k, (k + 1) % 3]] for k in range(3)])
-    count = len(flat)
     there, back = ways @ [count, 1], ways @ [1, count]
     return [flat[loop] for loop in _loops(ways[~np.isin(there, back)])]
+
+
+def _near_bodies(cells: Cells, height: Array) -> Array:
+    """True for the triangles of bodies that are near a plane.
+
+    Args:
+        cells: Triangles.
+        height: Of the vertices above the plane [m].
+    """
+    ways = np.concatenate([cells[:, [0, 1]], cells[:, [1, 2]]])
+    pairs = (np.ones(len(ways)), tuple(ways.T))
+    _, body = connected_components(coo_matrix(pairs, shape=(len(height),) * 2), directed=False)
+    low, high = np.full(body.max() + 1, np.inf), np.full(body.max() + 1, -np.inf)
+    np.minimum.at(low, body, height)
+    np.maximum.at(high, body, height)
+    return np.asarray(((low < BESIDE) & (high > -BESIDE))[body[cells[:, 0]]])
 
 
 def _loops(ways: Cells) -> list[list[int]]:
