@@ -231,7 +231,7 @@ def section_outlines(thing: Drawable, view: ViewPlane) -> list[Array]:
 
 
 def silhouette(thing: Drawable, view: ViewPlane) -> list[Array]:
-    """Outline of a mesh as it is seen in a view, of those of its bodies that are near its plane [m].
+    """Outlines in a view of those bodies of a mesh that are near its plane [m].
 
     The outlines of overlapping parts wind in the same sense, those of openings in the other.
     """
@@ -247,7 +247,7 @@ def silhouette(thing: Drawable, view: ViewPlane) -> list[Array]:
     return [flat[loop] for loop in _loops(ways[~np.isin(there, back)])]
 
 
-def _near_bodies(cells: Cells, height: Array) -> Array:
+def _near_bodies(cells: Cells, height: Array) -> Any:
     """True for the triangles of bodies that are near a plane.
 
     Args:
@@ -260,7 +260,7 @@ def _near_bodies(cells: Cells, height: Array) -> Array:
     low, high = np.full(body.max() + 1, np.inf), np.full(body.max() + 1, -np.inf)
     np.minimum.at(low, body, height)
     np.maximum.at(high, body, height)
-    return np.asarray(((low < BESIDE) & (high > -BESIDE))[body[cells[:, 0]]])
+    return ((low < BESIDE) & (high > -BESIDE))[body[cells[:, 0]]]
 
 
 def _loops(ways: Cells) -> list[list[int]]:

@@ -18,6 +18,7 @@ from springback.interfaces.replay.shape_meshes import (
     as_one,
     mesh_of,
     mesh_of_body,
+    sides_of,
     trunks,
 )
 from springback.results.meshes import Mesh, surfaces_of
@@ -34,7 +35,7 @@ LYING, LEVEL = 0.9, 1.0 - 1e-9
 UPRIGHT, STEEP = 0.5, 0.2
 #: Without ground, distance of the foot of an endless pole below the flight [m], as of the shadows.
 FOOT = 0.45
-#: Most solids that are drawn, sides of a trunk, and instants at which distances from the flight are
+#: Most solids that are drawn, sides of each of so many trunks, and instants at which distances from the flight are
 #: compared (chosen: a page of 1 MB).
 MOST_DRAWN, TRUNK_SIDES, COMPARED = 400, 16, 64
 
@@ -229,7 +230,9 @@ def _mesh(
     if isinstance(shape, Stairs):
         return mesh_of(shape)
     if isinstance(shape, Forest):
-        return trunks(bodies, _span(bodies[0], flown, floor, everywhere=True), TRUNK_SIDES)
+        sides = MOST_DRAWN * TRUNK_SIDES // (4 * len(bodies)) * 4
+        span = _span(bodies[0], flown, floor, everywhere=True)
+        return trunks(bodies, span, min(sides, sides_of(shape.radius)))
     return as_one([
         mesh_of_body(body, _span(body, flown, floor) if ENDLESS in body.sizes else None)
         for body in bodies
