@@ -35,8 +35,8 @@ LYING, LEVEL = 0.9, 1.0 - 1e-9
 UPRIGHT, STEEP = 0.5, 0.2
 #: Without ground, distance of the foot of an endless pole below the flight [m], as of the shadows.
 FOOT = 0.45
-#: Most solids that are drawn, sides of each of so many trunks, and instants at which distances from the flight are
-#: compared (chosen: a page of 1 MB).
+#: Most solids that are drawn, sides of each of so many trunks, and instants at which distances
+#: from the flight are compared (chosen: a page of 1 MB).
 MOST_DRAWN, TRUNK_SIDES, COMPARED = 400, 16, 64
 
 
