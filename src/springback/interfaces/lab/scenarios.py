@@ -5,6 +5,7 @@ The lab flies the same text that it offers for download, so `springback fly` giv
 
 from __future__ import annotations
 
+import functools
 import math
 import tomllib
 from typing import Any
@@ -42,6 +43,8 @@ HEIGHT = 1.0
 GRAVITY = 9.81
 #: Distance from which a shape is approached to find the first touch [m] (chosen: outside it).
 AHEAD = 1.5
+#: Most of these that are remembered: they do not depend on the speed (chosen).
+MOST_TOUCHES = 256
 
 Table = dict[str, Any]
 
@@ -244,16 +247,23 @@ def _reach(vehicle: Vehicle, pitch: float, yaw: float, paper: bool) -> float:
     return float(max(ends))
 
 
-def _touch(given: Table, fallback: float, s: LabSettings) -> float:
-    """X of the main body as it touches a shape, level and straight on; else as for a wall [m]."""
+def _touch(given: Table, ahead: float, s: LabSettings) -> float:
+    """X of the main body as it first touches a shape [m]; as at a wall if it touches nothing."""
     start = {
-        "position": [fallback - AHEAD, 0.0, HEIGHT], "velocity": [1.0, 0.0, 0.0],
+        "position": [ahead - AHEAD, 0.0, HEIGHT], "velocity": [1.0, 0.0, 0.0],
         "pitch": f"{digits(s.pitch)} deg", "yaw": f"{digits(s.yaw)} deg", "touch_distance": 0.0,
     }  # fmt: skip
+    found = _touch_of(tomli_w.dumps(given | {"name": "touch", "start": start}))
+    return ahead if found is None else found
+
+
+@functools.lru_cache(maxsize=MOST_TOUCHES)
+def _touch_of(text: str) -> float | None:
+    """X of the main body at the start of a scenario that begins at the touch [m]; None without."""
     try:
-        return float(scenario_from(given | {"start": start}).start_state().position.x)
+        return float(scenario_from(tomllib.loads(text)).start_state().position.x)
     except InputError:  # it passes by, or through; what else is wrong is said when it is flown
-        return fallback
+        return None
 
 
 # -- flight ---------------------------------------------------------------------------------------
