@@ -74,7 +74,8 @@ function body(thing, colours, floor) {
   const depths = new THREE.Mesh(shape, new THREE.MeshBasicMaterial({ colorWrite: false, transparent: true, clippingPlanes }));
   const faces = new THREE.Mesh(shape, new THREE.MeshStandardMaterial({
     color: colours.wall, transparent: true, opacity: 0.72, roughness: 0.85, depthWrite: false, clippingPlanes,
-  }));
+    stencilWrite: true, stencilRef: 1, stencilFunc: THREE.NotEqualStencilFunc, stencilZPass: THREE.ReplaceStencilOp,
+  })); // by the stencil each pixel once, where faces of two bodies coincide, too
   const edges = new THREE.LineSegments(new THREE.EdgesGeometry(welded, EDGE), new THREE.LineBasicMaterial({
     color: colours.ink, transparent: true, opacity: 0.35, depthWrite: false, clippingPlanes,
   }));

@@ -8,9 +8,9 @@ from springback.interfaces.lab.settings import LabSettings, digits
 
 Table = dict[str, Any]
 
-#: Length of the edge and size of the wall with a window, around the height of the flights [m]
-#: (chosen: from the floor up).
-EDGE_LENGTH, WINDOW_SIZE, WINDOW_THICKNESS = 2.0, (3.0, 2.0), 0.1
+#: Length of the edge and width of its faces; width of the frame of a window and its thickness [m]
+#: (chosen: so small that two robots can be shown side by side).
+EDGE_LENGTH, EDGE_WIDTH, FRAME, THICKNESS = 2.0, 0.5, 0.25, 0.1
 
 
 def obstacle_of(settings: LabSettings) -> str:
@@ -41,11 +41,13 @@ def shape_table(s: LabSettings, face: float, height: float, surface: Any, turned
         angle, uphill = f"{digits(s.incline)} deg", f"{digits(turned)} deg"
         return made | {"position": [face, 0.0, height], "angle": angle, "uphill": uphill}
     if s.obstacle == "edge":
-        return made | {"position": [face, aside, height], "length": EDGE_LENGTH, "yaw": yaw}
+        sizes = {"length": EDGE_LENGTH, "width": EDGE_WIDTH}
+        return made | {"position": [face, aside, height], **sizes, "yaw": yaw}
     if s.obstacle == "window":
+        opening = 1e-3 * s.opening
         return made | {
-            "position": [face + 0.5 * WINDOW_THICKNESS, aside, height], "size": [*WINDOW_SIZE],
-            "thickness": WINDOW_THICKNESS, "opening": [1e-3 * s.opening] * 2, "yaw": yaw,
+            "position": [face + 0.5 * THICKNESS, aside, height], "thickness": THICKNESS,
+            "size": [opening + 2.0 * FRAME] * 2, "opening": [opening] * 2, "yaw": yaw,
         }  # fmt: skip
     foot = 0.0 if s.obstacle == "pole" else height
     return made | {"position": [face + radius, aside, foot], "radius": radius}

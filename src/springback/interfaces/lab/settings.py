@@ -221,8 +221,8 @@ class LabSettings(Settings):
         explains="Of the pole, or of the sphere.", path="world.obstacles.0.radius",
     )] = 50.0  # fmt: skip
     opening: Annotated[float, _of_shapes(
-        "window", label="Opening", least=100.0, most=1800.0, step=10.0,
-        explains="Width and height of the window. ARQ, arms at 45 deg, is 490 mm wide.",
+        "window", label="Opening", least=100.0, most=1500.0, step=10.0,
+        explains="Width and height, in a frame of 250 mm. ARQ, arms at 45 deg, is 490 mm wide.",
         path="world.obstacles.0.opening",
     )] = 450.0  # fmt: skip
     incline: Annotated[float, _of_shapes(
