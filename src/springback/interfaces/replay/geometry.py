@@ -88,7 +88,7 @@ def drawables(
     floor = max((z for z in levels if z <= flown[:, 2].min()), default=None)
     planes = [one for one in obstacles if isinstance(one, Wall | Ground | Mat | Slope)]
     shapes = [one for one in obstacles if isinstance(one, ShapeSettings)]
-    chosen = _near(shapes, np.concatenate([flown[_sample(len(flown))], near]))
+    chosen = _near(shapes, np.concatenate([_sample(flown), _sample(near)]))
     bodies, notes = list(_meshes(chosen.parts, flown, floor)), list(chosen.notes)
     around = _under(bodies, flown)
     things = [
@@ -160,8 +160,11 @@ class _NearShapes(NamedTuple):
     notes: tuple[str, ...]
 
 
-def _sample(count: int) -> Cells:
-    return np.unique(np.linspace(0, count - 1, COMPARED).astype(np.intp))
+def _sample(points: Array) -> Array:
+    """Some of many points, the first and last among them."""
+    if len(points) <= COMPARED:
+        return points
+    return points[np.linspace(0, len(points) - 1, COMPARED).astype(np.intp)]
 
 
 def _near(shapes: Sequence[ShapeSettings], flown: Array) -> _NearShapes:
