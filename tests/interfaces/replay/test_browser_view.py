@@ -264,6 +264,7 @@ def test_built_in_bodies_are_seen_and_an_opening_is_open(driver: Any, tmp_path: 
     assert flown.contacts == 0
     path = tmp_path / "bodies.html"
     export_page(replay_of([flown]), path)
+    resized(driver, 1440, 900)
     opened(driver, path, "#t=0&camera=front")
     legend = driver.find_element("css selector", ".scene-legend").text.split("\n")
     assert {"window", "pole", "slope"} <= set(legend)
@@ -301,4 +302,29 @@ def test_built_in_bodies_are_seen_and_an_opening_is_open(driver: Any, tmp_path: 
     assert len(window["columns"]) > 3
     assert min(pole["columns"]) < 4.5 < max(pole["columns"])  # one on either side
     assert not {4, 5} & set(pole["columns"])
+    assert complaints(driver) == []
+
+
+def test_bodies_of_two_flights_stand_apart_or_are_one(driver: Any, tmp_path: Path) -> None:
+    """Side by side as far apart as they are wide, one over the other once; wide ones always so."""
+    apart = """
+        const S = window.springback.scene;
+        S.canvas();
+        return S.memory().geometries;"""
+    counts, legends = {}, {}
+    for name, one in (
+        ("hoop", {"radius": 0.7, "tube_radius": 0.03, "position": [2.7, 0, 1]}),
+        ("doorway", {"position": [2.7, 0, 0]}),
+    ):
+        world = {"obstacles": [{"type": name, "surface": "wall", **one}]}
+        flights = [fly(TABLES | {"world": world, "vehicle": robot}) for robot in ("arq", "quad")]
+        path = tmp_path / f"{name}.html"
+        export_page(replay_of(flights), path)
+        for mode in ("side", "ghost"):
+            opened(driver, path, f"#compare={mode}&t=0")
+            counts[name, mode] = driver.execute_script(apart)
+            legends[name, mode] = driver.find_element("css selector", ".scene-legend").text
+    assert counts["hoop", "side"] > counts["hoop", "ghost"]
+    assert counts["doorway", "side"] == counts["doorway", "ghost"]
+    assert {case for case, text in legends.items() if "overlaid" in text} == {("doorway", "side")}
     assert complaints(driver) == []

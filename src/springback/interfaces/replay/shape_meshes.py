@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.contact.scene.solids import BOX, CAPSULE, FRUSTUM, TORUS, WINDOW
+from springback.contact.scene.solids import BOX, CAPSULE, FRUSTUM, ROUND_WINDOW, TORUS, WINDOW
 from springback.contact.scene.table import ENDLESS
 from springback.contact.shapes import Body, ShapeSettings, Stairs
 
@@ -74,8 +74,10 @@ def mesh_of_body(body: Body, span: EndSpan | None = None, sides: int = 0) -> Sha
         mesh = _lathe(_cone(s[0], s[1], s[2], edge), sides or sides_of(max(s[:2]) + edge))
     elif body.kind == TORUS:
         mesh = _torus(s[0], s[1], sides or sides_of(s[0] + s[1]))
-    else:
+    elif body.kind in (WINDOW, ROUND_WINDOW):
         mesh = _window(body, sides)
+    else:
+        raise ValueError(f"solids of kind {body.kind:g} have no mesh")
     return ShapeMesh(body.centre + mesh.vertices @ body.axes, mesh.triangles)
 
 
