@@ -11,7 +11,24 @@ from springback.errors import excerpt, shown_value
 
 #: Types of tables that have several, by key.
 _KINDS = {
-    "obstacles": ("wall", "ground", "mat", "own"),
+    "obstacles": (
+        "wall",
+        "ground",
+        "mat",
+        "box",
+        "edge",
+        "sphere",
+        "pole",
+        "capsule",
+        "cone",
+        "hoop",
+        "window",
+        "doorway",
+        "slope",
+        "stairs",
+        "forest",
+        "own",
+    ),
     "reference": ("hold", "steps", "circle", "waypoints", "run-up"),
 }
 

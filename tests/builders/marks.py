@@ -61,6 +61,7 @@ SLOW = (
     "simulation/test_guided.py",
     "simulation/test_peaks.py::test_a_smooth_peak_is_found_far_within_the_error_of_its_samples",
     "simulation/test_rotor_loop.py",
+    "simulation/test_shapes_fly.py",
     "simulation/test_twins.py",
     "studies/",
     "test_docs.py",

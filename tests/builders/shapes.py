@@ -5,19 +5,18 @@ from __future__ import annotations
 from typing import Any
 
 from springback.contact.library import WALL
+from springback.contact.openings import Doorway, Window
 from springback.contact.shapes import (
     Ball,
     Box,
     Capsule,
     Cone,
-    Doorway,
     Edge,
     Hoop,
     Pole,
     ShapeSettings,
     Slope,
     Stairs,
-    Window,
 )
 
 TURNED = {"roll": 0.4, "pitch": -0.3, "yaw": 1.1}

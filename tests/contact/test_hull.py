@@ -48,7 +48,7 @@ def met(shape: Any, centre: Vec, velocity: Vec, omega: Vec, radius: float = RADI
     """A hull against a rubber obstacle of some shape."""
     rubber = surface(stiffness=1e5, friction=0.5, slip_speed=1e-3)
     hull = Sphere(centre, radius)
-    (face,) = hull_faces(hull, (Obstacle(shape, rubber, 0.0),))
+    (face,) = hull_faces(hull, (Obstacle(shape, rubber, 0.0),), 1.0)
     return hull_contact(face, 1.0, hull, body(LEVEL, velocity, omega))
 
 

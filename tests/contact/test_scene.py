@@ -18,21 +18,22 @@ from springback.contact.cage import (
     lowest_gap,
     obstacles_in_body_frame,
 )
+from springback.contact.forest import Forest
 from springback.contact.library import WALL
 from springback.contact.parameters import Ground, Wall
 from springback.contact.rings import FAR
 from springback.contact.scene.faces import (
     EXACT_BELOW,
     SCENE_FACES,
-    Part,
-    Scene,
+    SolidScene,
+    VehiclePart,
     distance_of,
     no_faces,
     scene_faces,
 )
 from springback.contact.scene.nearest import MOST_NEAR, nearest_solid, solids_within
 from springback.contact.scene.solids import solid_face
-from springback.contact.shapes import Box, Capsule, Forest
+from springback.contact.shapes import Box, Capsule
 from springback.contact.worlds import obstacles
 from springback.kernels.compiler import executor
 from springback.kernels.layout import Buffer, TreeLayout, read, write
@@ -58,17 +59,17 @@ def vec(array: Any) -> Vec:
     return Vec(*map(float, array))
 
 
-def scene(*entries: Any) -> Scene:
-    """A scene of some obstacles."""
+def scene(*entries: Any) -> SolidScene:
+    """A scene of some obstacles, whose gaps are exact."""
     built = obstacles(entries)
-    assert isinstance(built, Scene)
-    return built
+    assert isinstance(built, SolidScene)
+    return built._replace(exact=1.0)
 
 
 def faces(world: Any, centre: Vec, r: Mat3, part: Any, radius: float = RADIUS) -> list[ContactFace]:
     """The faces that a part at a centre meets, nearest first; `FAR` ones are left out."""
     pose = ArmPose(Vec(1.0, 0.0, 0.0), STILL, STILL)
-    found = contact_faces(obstacles_in_body_frame(world, centre, r), part, radius, pose)
+    found = contact_faces(obstacles_in_body_frame(world, centre, r), part, radius, pose, 1.0)
     near = [one for one in found if one.nearest.gap < FAR]
     return sorted(near, key=lambda one: one.nearest.gap)
 
@@ -76,7 +77,7 @@ def faces(world: Any, centre: Vec, r: Mat3, part: Any, radius: float = RADIUS) -
 # -- the tree ---------------------------------------------------------------------------------------
 
 
-def rows(world: Scene) -> list[int]:
+def rows(world: SolidScene) -> list[int]:
     """Rows of all solids of a scene that are no half-spaces."""
     return [int(number_at(world.table, 3)) + 24 * k for k in range(int(number_at(world.table, 1)))]
 
@@ -167,8 +168,8 @@ def test_a_half_space_of_a_scene_is_a_plane(part: Any) -> None:
         centre, r = vec(np.array([0.2, 0.1, 0.3]) + chance.uniform(-0.3, 0.3, size=3)), turn(chance)
         pose = ArmPose(Vec(1.0, 0.0, 0.0), Vec(0.19, 0.0, 0.0), STILL)
         one = obstacles_in_body_frame(obstacles((wall,)), centre, r)
-        expected = contact_faces(one, part, RADIUS, pose)[0].nearest
-        many = contact_faces(obstacles_in_body_frame(world, centre, r), part, RADIUS, pose)
+        expected = contact_faces(one, part, RADIUS, pose, 1.0)[0].nearest
+        many = contact_faces(obstacles_in_body_frame(world, centre, r), part, RADIUS, pose, 1.0)
         near = [face.nearest for face in many]
         same = min(near, key=lambda face: abs(face.gap - expected.gap))
         assert np.allclose([*same.inward], [*expected.inward], atol=1e-14)
@@ -187,7 +188,7 @@ def test_a_ring_that_lies_flat_on_a_box_touches_as_on_the_ground() -> None:
         centre = vec([*chance.uniform(-0.38, 0.38, size=2), 0.01])
         pose = ArmPose(Vec(1.0, 0.0, 0.0), STILL, STILL)
         there = obstacles_in_body_frame(ground, centre, r)
-        plane = contact_faces(there, Ring(0.005), RADIUS, pose)[0].nearest
+        plane = contact_faces(there, Ring(0.005), RADIUS, pose, 1.0)[0].nearest
         found = faces(scene(box), centre, r, Ring(0.005))
         assert len(found) == 1
         assert found[0].nearest.gap == pytest.approx(plane.gap, abs=1e-12)
@@ -232,7 +233,7 @@ def test_a_clearance_is_exact_near_and_never_more_than_the_gap(part: Any) -> Non
     pose, bounds = ArmPose(Vec(1.0, 0.0, 0.0), STILL, STILL), 0
     for _ in range(40):
         centre, r = vec(MIDDLE + chance.uniform(-1.5, 1.5, size=3)), turn(chance)
-        there = obstacles_in_body_frame(world, centre, r)
+        there = obstacles_in_body_frame(world._replace(exact=0.0), centre, r)
         low, gap = (
             lowest_gap(there, part, RADIUS, pose),
             faces(world, centre, r, part)[0].nearest.gap,
@@ -266,10 +267,10 @@ def test_plain_python_and_the_routine_give_the_same_bits() -> None:
     assert seen > 10
 
 
-def part_of(world: Scene, centre: Vec, r: Mat3, kind: float) -> Part:
+def part_of(world: SolidScene, centre: Vec, r: Mat3, kind: float) -> VehiclePart:
     """A part of a vehicle at a place."""
     pose = ArmPose(Vec(1.0, 0.0, 0.0), STILL, STILL)
-    return Part(float(world.table), kind, 0.005, RADIUS, pose, centre, r, 1.0)
+    return VehiclePart(float(world.table), kind, 0.005, RADIUS, pose, centre, r, 1.0)
 
 
 def test_more_solids_than_a_part_can_list_are_looked_through() -> None:

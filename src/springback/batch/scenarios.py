@@ -19,6 +19,7 @@ import numpy as np
 from springback.batch.templates import BuiltGroup, ScenarioGroup, built_groups, pace_of
 from springback.errors import InputError
 from springback.kernels.layout import Buffer, row_of, rows, structure
+from springback.kernels.routines import tables_held
 from springback.progress import Progress, silent, stage
 from springback.recovery.evaluator import EvaluatorMemory
 from springback.results.flight import check_user_code, fly_built, guided_result
@@ -112,7 +113,7 @@ def fly_scenarios(
     for first in range(0, count, most):
         block = range(first, min(first + most, count))
         share = stage(progress, first / count, len(block) / count)
-        with no_collection():
+        with no_collection(), tables_held():
             _fly_block(tables, block, fly, share, out)
         share(1.0)
     return out

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from springback.batch.scenarios import Device, fly_scenarios, no_collection
 from springback.campaign.design.layout import Design, design_of
+from springback.contact.parameters import PLANES
 from springback.errors import InputError
 from springback.results.flight import check_user_code
 from springback.scenario.code_files import changed_files
@@ -47,12 +49,25 @@ def try_code(design: Design, device: Device = "cpu") -> None:
     """Build each robot with the user's own code, if there is any, before anything is flown.
 
     Raises:
-        InputError: If a file cannot be used, or cannot fly on the device.
+        InputError: If a file cannot be used, or something cannot fly on the device.
     """
+    if device != "cpu":
+        for base in design.bases:
+            _check_planes(base, device)
     for base in design.bases if design.code else ():
         if device != "cpu":
             raise InputError(f"--device {device}: cannot fly code of your own; use cpu")
         check_user_code(scenario_from(base, False).build(advises=False))
+
+
+def _check_planes(base: Mapping[str, Any], device: Device) -> None:
+    """Reject obstacles that are looked for by a routine of the processor."""
+    for k, entry in enumerate((base.get("world") or {}).get("obstacles", ())):
+        if (kind := entry.get("type")) not in (*PLANES, "own"):
+            raise InputError(
+                f"--device {device}: flies into {', '.join(PLANES)} only, and "
+                f"world.obstacles[{k}] is a {kind}; use cpu"
+            )
 
 
 def rows(

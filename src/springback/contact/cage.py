@@ -156,7 +156,7 @@ class CageContact(NamedTuple):
 
 @kernel
 def slip_velocity(surface: Surface, velocity: Vec, normal: Vec, vertical: Vec) -> Vec:
-    """Part of a velocity along the surface that friction opposes [m/s]."""
+    """VehiclePart of a velocity along the surface that friction opposes [m/s]."""
     slip = velocity - (velocity @ normal) * normal
     return rubbing(surface.friction_axes, slip, normal, vertical)
 
@@ -273,7 +273,7 @@ def face_of(obstacle: Obstacle, contact_point: Any, radius: float, arm: ArmPose)
 
 @generic
 def contact_faces(
-    obstacles: Any, contact_point: Any, radius: float, arm: ArmPose
+    obstacles: Any, contact_point: Any, radius: float, arm: ArmPose, engaged: float
 ) -> tuple[ContactFace, ...]:
     """The faces that a cage can meet, as many at every instant.
 
@@ -283,6 +283,7 @@ def contact_faces(
         contact_point: `Ring` or `ArmTip`; a `Sphere` for a hull.
         radius: r_0 [m].
         arm: Pose of the arm.
+        engaged: 0 where no force of theirs will act: a scene is then not looked through.
     """
     return tree_map(face_of, (obstacles,), (contact_point, radius, arm))
 
@@ -291,7 +292,7 @@ def contact_faces(
 def lowest_gap(obstacles: Any, contact_point: Any, radius: float, arm: ArmPose) -> float:
     """Gap between a cage and the nearest obstacle, or less if it is far from all [m].
 
-    Arguments are those of `contact_faces`.
+    Arguments are as for `contact_faces`.
     """
     return minimum(tree_map(cage_gap, (obstacles,), (contact_point, radius, arm)))
 

@@ -58,9 +58,10 @@ def hull_gap(hull: Sphere, obstacles: Any) -> float:
 
 
 @kernel
-def hull_faces(hull: Sphere, obstacles: Any) -> tuple[ContactFace, ...]:
-    """The faces that the hull can meet, of obstacles in the body frame."""
-    return contact_faces(obstacles, hull, hull.radius, _pose(hull, Vec(0.0, 0.0, 0.0)))
+def hull_faces(hull: Sphere, obstacles: Any, engaged: float) -> tuple[ContactFace, ...]:
+    """The faces that the hull can meet, of obstacles in the body frame; see `contact_faces`."""
+    pose = _pose(hull, Vec(0.0, 0.0, 0.0))
+    return contact_faces(obstacles, hull, hull.radius, pose, engaged)
 
 
 @kernel

@@ -56,7 +56,7 @@ class Impulses(NamedTuple):
 class World(NamedTuple):
     """Obstacles and gravity."""
 
-    obstacles: Any  # a tuple of Obstacle, or a `springback.contact.scene.faces.Scene`
+    obstacles: Any  # a tuple of Obstacle, or a `springback.contact.scene.faces.SolidScene`
     laws: Forces | Impulses
     gravity: float  # g along −Z [m/s²]
 

@@ -9,8 +9,8 @@ from pydantic import Field, model_validator
 from springback.contact.obstacles import Plane
 from springback.contact.restitution import dissipation_for
 from springback.contact.surfaces import (
+    AnyTangent,
     BothTangents,
-    EitherTangents,
     Exponent,
     FrictionAxes,
     Surface,
@@ -20,6 +20,9 @@ from springback.kernels.tracing import hypot, sqrt  # for batch set-up
 from springback.kernels.vectors import Vec
 from springback.quantities import Factor, Length, Speed, Triple, Unit
 from springback.settings import Settings, problem
+
+#: Types of obstacles that are planes.
+PLANES = ("wall", "mat", "ground")
 
 Law = Literal["hunt-crossley", "hertz", "kelvin-voigt", "impulse"]
 
@@ -94,7 +97,7 @@ class SurfaceSettings(Settings):
         n: Exponent = exponent(self.exponent_value())
         axes: FrictionAxes = BothTangents(0.0) if both else VerticalTangent(0.0)
         if by_number:
-            axes = EitherTangents(0.0 if both else 1.0)
+            axes = AnyTangent(0.0 if both else 1.0)
         return Surface(
             stiffness=0.0 if impulse else self.stiffness / self.shared_by,
             dissipation=1.5 * self.dissipation_value(),

@@ -48,13 +48,13 @@ class VerticalTangent(NamedTuple):
     unused: float
 
 
-class EitherTangents(NamedTuple):
+class AnyTangent(NamedTuple):
     """The one or the other, by a number: where a world has many surfaces."""
 
     vertical: float  # 1: as `VerticalTangent`, 0: as `BothTangents`
 
 
-FrictionAxes = BothTangents | VerticalTangent | EitherTangents
+FrictionAxes = BothTangents | VerticalTangent | AnyTangent
 
 
 class Surface(NamedTuple):
@@ -77,6 +77,8 @@ TINY = 1e-12
 @generic
 def power(exponent: Exponent, depth: float) -> float:
     """Power δⁿ for δ ≥ 0."""
+    if exponent.value == 1.5:  # in a world of several exponents, too
+        return depth * math.sqrt(depth)
     raised: float = depth**exponent.value
     return raised
 
@@ -155,10 +157,10 @@ def normal_force(surface: Surface, depth: float, rate: float, ahead: float) -> N
 
 @generic
 def rubbing(axes: FrictionAxes, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
-    """Part of a slip velocity that friction opposes [m/s].
+    """VehiclePart of a slip velocity that friction opposes [m/s].
 
     Args:
-        axes: `BothTangents`, `VerticalTangent` or `EitherTangents`.
+        axes: `BothTangents`, `VerticalTangent` or `AnyTangent`.
         slip: Velocity along the surface [m/s].
         normal: Unit normal of the surface.
         vertical: e_Z, in the same axes as the others.
@@ -173,9 +175,9 @@ def _vertical(axes: VerticalTangent, slip: Vec, normal: Vec, vertical: Vec) -> V
     return up * ((slip @ up) / (up @ up + 1e-12))
 
 
-@rubbing.register(EitherTangents)
+@rubbing.register(AnyTangent)
 @kernel
-def _either(axes: EitherTangents, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
+def _either(axes: AnyTangent, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
     upright = rubbing(VerticalTangent(0.0), slip, normal, vertical)
     opposed: Vec = select(axes.vertical > 0.0, upright, slip)
     return opposed

@@ -8,22 +8,44 @@ first obstacle that is not plane.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import Annotated, Any
 
 from pydantic import Field
 
+from springback.contact.forest import Forest
 from springback.contact.obstacles import Obstacle, Plane, SecondContact
+from springback.contact.openings import Doorway, Window
 from springback.contact.parameters import Ground, Mat, SurfaceSettings, Wall, faces
-from springback.contact.scene.faces import Scene
+from springback.contact.scene.faces import SolidScene
 from springback.contact.scene.table import MOST_SOLIDS, Solid, scene_of
-from springback.contact.shapes import Shape, ShapeSettings, half_space, solids_of
+from springback.contact.shapes import (
+    Ball,
+    Box,
+    Capsule,
+    Cone,
+    Edge,
+    Hoop,
+    Pole,
+    ShapeSettings,
+    Slope,
+    Stairs,
+    half_space,
+    solids_of,
+)
 from springback.contact.surfaces import AnyExponent, Linear, ThreeHalves
 from springback.kernels.vectors import Vec
 from springback.settings import problem
 
+Shape = (
+    Box | Edge | Ball | Pole | Capsule | Cone | Hoop | Window | Doorway | Slope | Stairs | Forest
+)
 #: Any obstacle of springback's own.
 BuiltIn = Wall | Ground | Mat | Shape
 ObstacleSettings = Annotated[BuiltIn, Field(discriminator="type")]
+
+#: Scenes that are remembered (chosen: one of 10 000 trunks takes 3 MB).
+LATEST = 16
 
 #: A user's own shape, registered with `signed_distance` and `outward_normal`, and its surface.
 Own = tuple[Any, SurfaceSettings]
@@ -40,7 +62,7 @@ def _exponent_type(values: list[float]) -> type[Any]:
 
 def obstacles(
     settings: Sequence[BuiltIn], own: Sequence[Own] = (), *, as_scene: bool = False
-) -> tuple[Obstacle, ...] | Scene:
+) -> tuple[Obstacle, ...] | SolidScene:
     """Numbers of all obstacles; if there are none, a face out of reach.
 
     Args:
@@ -73,8 +95,18 @@ def _own_faces(own: Sequence[Own]) -> list[tuple[Any, SurfaceSettings, float]]:
     return found + [(SecondContact(s), surface, 0.0) for s, surface in curved]
 
 
-def _scene(settings: Sequence[BuiltIn], own: Sequence[Own]) -> Scene:
+def _scene(settings: Sequence[BuiltIn], own: Sequence[Own]) -> SolidScene:
     """All obstacles as a scene."""
+    beside = tuple(
+        Obstacle(shape, law.surface(AnyExponent, by_number=True), ground)
+        for shape, law, ground in _own_faces(own)
+    )
+    return _scene_of_built_in(tuple(settings))._replace(own=beside)
+
+
+@lru_cache(maxsize=LATEST)
+def _scene_of_built_in(settings: tuple[BuiltIn, ...]) -> SolidScene:
+    """Scene of obstacles of springback's own; a campaign mostly flies the same again."""
     laws: dict[SurfaceSettings, int] = {}
     solids: list[Solid] = []
     for owner, entry in enumerate(settings):
@@ -87,8 +119,4 @@ def _scene(settings: Sequence[BuiltIn], own: Sequence[Own]) -> Scene:
     if len(solids) > MOST_SOLIDS:
         raise problem(f"hold {len(solids)} solids; the most is {MOST_SOLIDS}", "world.obstacles")
     surfaces = [law.surface(AnyExponent, by_number=True) for law in laws]
-    beside = tuple(
-        Obstacle(shape, law.surface(AnyExponent, by_number=True), ground)
-        for shape, law, ground in _own_faces(own)
-    )
-    return scene_of(solids, surfaces, beside)
+    return scene_of(solids, surfaces)

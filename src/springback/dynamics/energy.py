@@ -61,7 +61,7 @@ def _arm_energy(
     """Energy of an arm in a world whose obstacles are in the body frame."""
     pose = arm_pose(arm, length, rate, body.velocity)
     velocity = pose.sliding + (body.omega ^ pose.lever)
-    faces = contact_faces(world.obstacles, contact_point, arm.cage_radius, pose)
+    faces = contact_faces(world.obstacles, contact_point, arm.cage_radius, pose, 1.0)
     stored = tree_map(_contact_energy, (faces,), ())
     pressed = positive_part(arm.shortest - length) * positive_part(arm.shortest - length)
     pressed += positive_part(length - arm.length) * positive_part(length - arm.length)
@@ -86,7 +86,7 @@ def _contact_energy(face: ContactFace) -> float:
 @rare_kernel
 def _hull_energy(so_far: float, hull: Sphere, obstacles: Any) -> float:
     """Elastic energy of contacts, with those of the hull added [J]."""
-    return so_far + tree_sum(tree_map(_contact_energy, (hull_faces(hull, obstacles),), ()))
+    return so_far + tree_sum(tree_map(_contact_energy, (hull_faces(hull, obstacles, 1.0),), ()))
 
 
 @rare_kernel

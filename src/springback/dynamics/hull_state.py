@@ -64,7 +64,9 @@ def hull_state(
         obstacles: In the body frame.
         body: Motion of the main body.
     """
-    met = tree_map(hull_contact, (hull_faces(hull, obstacles), engaged), (hull, body))
+    met = tree_map(
+        hull_contact, (hull_faces(hull, obstacles, maximum(engaged)), engaged), (hull, body)
+    )
     touch, gap = tree_sum(field_of(met, "touch")), minimum(field_of(met, "gap"))
     engaged_now = tree_map(is_in_contact, (met,), ())
     view = HullView(

@@ -95,13 +95,13 @@ def _hits_of_arm(
     body: BodyMotion,
 ) -> tuple[ImpulseContact, ...]:
     pose = arm_pose(arm, length, rate, body.velocity)
-    faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose)
+    faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose, 1.0)
     return tree_map(_hit_by_arm, (faces,), (pose, body))
 
 
 @rare_kernel
 def _hits_of_hull(hull: Sphere, obstacles: Any, body: BodyMotion) -> tuple[ImpulseContact, ...]:
-    return tree_map(_hit_by_hull, (hull_faces(hull, obstacles),), (hull, body))
+    return tree_map(_hit_by_hull, (hull_faces(hull, obstacles, 1.0),), (hull, body))
 
 
 @rare_kernel

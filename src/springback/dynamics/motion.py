@@ -236,7 +236,8 @@ def arm_state(
     pose = arm_pose(arm, length, rate, body.velocity)
     e, lever = pose.direction, pose.lever
 
-    faces = contact_faces(around.obstacles, around.contact_point, arm.cage_radius, pose)
+    touching = maximum(engaged)
+    faces = contact_faces(around.obstacles, around.contact_point, arm.cage_radius, pose, touching)
     met = tree_map(face_contact, (faces, engaged), (pose, body))
     touch = tree_sum(field_of(met, "touch"))
     gap = minimum(field_of(met, "gap"))

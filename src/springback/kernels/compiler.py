@@ -187,14 +187,14 @@ def _entry(function: F, folder: Path | None, options: dict[str, Any]) -> F:
     return cast("F", entry)
 
 
-class CompiledApart(NamedTuple):
+class CompiledRoutine(NamedTuple):
     """Machine code of a function that its callers reach by its address."""
 
     address: int
     owner: Any  # keeps the code in memory
 
 
-def compile_apart(function: Callable[..., Any], signature: Any, folder: Path) -> CompiledApart:
+def compile_apart(function: Callable[..., Any], signature: Any, folder: Path) -> CompiledRoutine:
     """Compile a function by itself, cached on disk, for callers that know its address only.
 
     Args:
@@ -206,7 +206,7 @@ def compile_apart(function: Callable[..., Any], signature: Any, folder: Path) ->
     entry.compile(signature)
     made = entry.overloads[signature]
     address = made.library.get_pointer_to_function(made.fndesc.llvm_func_name)
-    return CompiledApart(address, entry)
+    return CompiledRoutine(address, entry)
 
 
 def executor(**options: Any) -> Callable[[F], F]:

@@ -11,6 +11,7 @@ below 2⁵³, so it is kept exactly.
 
 from __future__ import annotations
 
+import hashlib
 import weakref
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -38,8 +39,10 @@ class NumberTable(float):
     numbers: Numbers
 
     def __new__(cls, numbers: Numbers) -> NumberTable:
-        """A table of these numbers, which are copied."""
-        kept = np.array(numbers, dtype=np.float64).ravel()
+        """A table of these numbers, which are copied; the same numbers are at the same address."""
+        copied = np.array(numbers, dtype=np.float64).ravel()
+        content = hashlib.sha256(copied.tobytes()).digest()
+        kept = _BY_CONTENT.setdefault(content, copied)
         kept.setflags(write=False)
         table = super().__new__(cls, kept.ctypes.data)
         table.numbers = kept
@@ -48,9 +51,14 @@ class NumberTable(float):
             keeper.append(kept)
         return table
 
+    def __reduce__(self) -> Any:
+        """Pickle the numbers, not their address."""
+        return NumberTable, (self.numbers,)
 
-#: Arrays of all tables by address, while anyone holds them.
+
+#: Arrays of all tables by address, and by digest, while anyone holds them.
 _TABLES: weakref.WeakValueDictionary[float, Numbers] = weakref.WeakValueDictionary()
+_BY_CONTENT: weakref.WeakValueDictionary[bytes, Numbers] = weakref.WeakValueDictionary()
 #: Lists that hold every table that is made.
 _KEEPERS: list[list[Numbers]] = []
 

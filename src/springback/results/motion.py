@@ -23,7 +23,7 @@ from springback.contact.cage import (
 )
 from springback.contact.hull_contact import hull_contact, hull_faces
 from springback.contact.parameters import faces
-from springback.contact.scene.faces import FACES, Scene
+from springback.contact.scene.faces import FACES, SolidScene
 from springback.contact.shapes import ShapeSettings
 from springback.contact.worlds import Own, obstacles
 from springback.dynamics.solution import Slider
@@ -191,14 +191,14 @@ def _arm_contact(
     body: BodyMotion,
 ) -> PartContact:
     pose = arm_pose(arm, length, rate, body.velocity)
-    faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose)
+    faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose, 1.0)
     found = tree_map(_on_cage, (faces,), (pose, body))
     return PartContact(tree_sum(tree_map(_moment, (found,), ())), tree_map(_gap, (found,), ()))
 
 
 @kernel
 def _hull_contact(hull: Sphere, obstacles: Any, body: BodyMotion) -> PartContact:
-    found = tree_map(_on_hull, (hull_faces(hull, obstacles),), (hull, body))
+    found = tree_map(_on_hull, (hull_faces(hull, obstacles, 1.0),), (hull, body))
     return PartContact(tree_sum(tree_map(_moment, (found,), ())), tree_map(_gap, (found,), ()))
 
 
@@ -370,10 +370,12 @@ def gaps(flight: FlightResult, obstacle: int | None = None, own: tuple[Own, ...]
         raise InputError("the world of this flight has no obstacles")
     if obstacle is not None and not 0 <= obstacle < count:
         raise InputError(f"obstacle: must be from 0 to {count - 1} (got {obstacle})")
-    if isinstance(model.world.obstacles, Scene):
+    if isinstance(model.world.obstacles, SolidScene):
         if obstacle is not None and obstacle < known:
             alone = obstacles((entries[obstacle],), as_scene=True)
             model = model._replace(world=model.world._replace(obstacles=alone))
+        exact = model.world.obstacles._replace(exact=1.0)
+        model = model._replace(world=model.world._replace(obstacles=exact))
         seen = contact_history(model, flight).gaps
         if obstacle is not None and obstacle >= known:
             seen = seen[:, :, FACES + obstacle - known :][:, :, :1]

@@ -20,6 +20,7 @@ from springback.errors import InputError
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.tracing import traceable  # for batch set-up
 from springback.kernels.vectors import ZERO, Vec
+from springback.random_streams import Purpose, stream
 from springback.recovery.characterisation import Characterisation
 from springback.recovery.detection import Detection
 from springback.recovery.detector import NoDetector, detector_memory
@@ -41,7 +42,6 @@ from springback.simulation.guided import (
     AvionicsMemory,
     avionics_at_start,
 )
-from springback.simulation.noise import Purpose, stream
 from springback.simulation.onboard import Avionics, Draw, NoEvaluator, OnboardSystems
 from springback.simulation.record import Model
 from springback.simulation.ticks import GUST_NOISE

@@ -13,7 +13,7 @@ from springback.contact.cage import LANDED, lowest_gap, obstacles_in_body_frame
 from springback.contact.hull_contact import hull_gap
 from springback.contact.obstacles import Plane, signed_distance
 from springback.contact.parameters import faces
-from springback.contact.scene.faces import Scene, distance_of
+from springback.contact.scene.faces import SolidScene, distance_of
 from springback.contact.shapes import ShapeSettings
 from springback.contact.worlds import obstacles
 from springback.kernels.memo import Build, plain_build
@@ -220,7 +220,7 @@ def _one_by_one(scenario: ScenarioTables, model: Model) -> Iterator[tuple[int, A
     """Every built-in obstacle of a world with its number, as in `World.obstacles`."""
     given = enumerate(scenario.world.obstacles)
     known = [(k, entry) for k, entry in given if not isinstance(entry, UserShape)]
-    if isinstance(model.world.obstacles, Scene):
+    if isinstance(model.world.obstacles, SolidScene):
         yield from ((k, obstacles((entry,))) for k, entry in known)
         return
     owners = [k for k, entry in known if not isinstance(entry, ShapeSettings) for _ in faces(entry)]
@@ -246,7 +246,7 @@ def reach_of(airframe: Airframe) -> float:
 def is_clear(model: Model, state: State) -> bool:
     """True if all planes, or all solids of a scene, are out of reach at any attitude."""
     reach = reach_of(model.airframe)
-    if isinstance(model.world.obstacles, Scene):
+    if isinstance(model.world.obstacles, SolidScene):
         return distance_of(model.world.obstacles, state.position) >= reach
     for obstacle in model.world.obstacles:
         shape = obstacle.shape

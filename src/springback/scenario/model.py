@@ -17,7 +17,7 @@ from springback.contact.obstacles import (
     SecondContact,
     World,
 )
-from springback.contact.scene.faces import Scene
+from springback.contact.scene.faces import SolidScene
 from springback.contact.worlds import Own, obstacles
 from springback.dynamics.clearance import clearance
 from springback.dynamics.motion import Free, Slider
@@ -207,7 +207,9 @@ def world_numbers(world: WorldSettings, own: Sequence[Own] = ()) -> World:
     """Obstacles and gravity; ``own`` are the user's own shapes, those that the world names, too."""
     known = tuple(entry for entry in world.obstacles if not isinstance(entry, UserShape))
     built = obstacles(known, own)
-    impulsive = isinstance(built, Scene) or any(one.surface.restitution >= 0.0 for one in built)
+    impulsive = isinstance(built, SolidScene) or any(
+        one.surface.restitution >= 0.0 for one in built
+    )
     return World(built, Impulses(0.0) if impulsive else Forces(0.0), world.gravity)
 
 
@@ -328,7 +330,7 @@ def _text(v: Vec) -> str:
 
 def _one_by_one(world: World) -> list[World]:
     """Worlds of one obstacle each: the same together; a scene is one."""
-    if isinstance(world.obstacles, Scene):
+    if isinstance(world.obstacles, SolidScene):
         return [world]
     shapes = [one for one in world.obstacles if not isinstance(one.shape, SecondContact)]
     return [world._replace(obstacles=(one,)) for one in shapes]
@@ -342,7 +344,7 @@ def _way_to(model: Model, world: World, state: State, direction: Vec) -> float:
         return clearance(model.airframe, world, model.contact_point, there)
 
     here = gap(0.0)
-    shape = None if isinstance(world.obstacles, Scene) else world.obstacles[0].shape
+    shape = None if isinstance(world.obstacles, SolidScene) else world.obstacles[0].shape
     if isinstance(shape, Plane):
         closing = -(shape.normal @ direction)
         return here / closing if closing > PARALLEL else math.inf

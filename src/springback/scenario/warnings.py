@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from springback.contact.parameters import PLANES
 from springback.control.demands import Demands, shortfalls
 from springback.control.linear import warnings_for
 from springback.control.reference_parameters import CircleSettings, RunUpSettings
@@ -15,6 +16,8 @@ from springback.scenario.tables import ScenarioTables
 APART = 0.2
 #: Yaw at the start of a run-up that is worth a warning [rad] (chosen: likewise).
 TURNED = 0.2
+#: Obstacles with plane faces only.
+FLAT = (*PLANES, "box", "edge", "slope", "stairs", "own")
 #: Tables that only the pilot of the paper reads.
 _PAPERS = ("reference", "control", "estimator", "recovery")
 
@@ -26,6 +29,24 @@ def scenario_warnings(scenario: ScenarioTables, *, own: bool = False) -> list[st
         scenario: Scenario to be flown.
         own: True if a pilot of the user's own flies it.
     """
+    return _curved(scenario) + _warnings_of_the_pilot(scenario, own)
+
+
+def _curved(scenario: ScenarioTables) -> list[str]:
+    """The paper's contact point on shapes that are not plane."""
+    if scenario.model.contact_point != "paper":
+        return []
+    curved = [k for k, one in enumerate(scenario.world.obstacles) if one.type not in FLAT]
+    if not curved:
+        return []
+    return [
+        f"model.contact_point: the paper's contact point is made for planes; its work is not exact "
+        f"on world.obstacles[{curved[0]}], a {scenario.world.obstacles[curved[0]].type}"
+    ]
+
+
+def _warnings_of_the_pilot(scenario: ScenarioTables, own: bool) -> list[str]:
+    """Warnings about who flies."""
     given = scenario.model_fields_set
     if own:
         recovery = scenario.recovery

@@ -90,7 +90,7 @@ def _arm_load(
     body: BodyMotion,
 ) -> PartLoad:
     pose = arm_pose(arm, length, rate, body.velocity)
-    faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose)
+    faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose, 1.0)
     return _in_world(tree_sum(tree_map(_cage_load, (faces,), (pose, body))), body)
 
 
@@ -103,7 +103,7 @@ def _in_world(p: PartLoad, body: BodyMotion) -> PartLoad:
 
 @kernel
 def _hull_load(hull: Sphere, obstacles: Any, body: BodyMotion) -> PartLoad:
-    loads = tree_map(_sphere_load, (hull_faces(hull, obstacles),), (hull, body))
+    loads = tree_map(_sphere_load, (hull_faces(hull, obstacles, 1.0),), (hull, body))
     return _in_world(tree_sum(loads), body)
 
 

@@ -15,9 +15,9 @@ from springback.batch.scenarios import REFUSED, fly_scenarios
 from springback.errors import InputError
 from springback.intervals import wilson
 from springback.progress import Progress, silent
+from springback.random_streams import Purpose, stream
 from springback.scenario.scenario import Scenario, merge, scenario_from
 from springback.simulation.measures import Outcome, scalars_of
-from springback.simulation.noise import Purpose, stream
 from springback.studies.run_ups import WALL_DISTANCE, run_up_scenario
 
 #: The paper's start and return point, section Impact Resilience [m].

@@ -14,8 +14,8 @@ from springback.campaign.access import Campaign
 from springback.campaign.analysis.marginals import MeasureColumn, measure_column, scale
 from springback.campaign.analysis.statistics import ordered_values
 from springback.intervals import CONFIDENCE, IntervalEstimate, Values
+from springback.random_streams import Purpose, stream
 from springback.results.database import identifier
-from springback.simulation.noise import Purpose, stream
 
 #: Fewest samples for which indices are given (chosen: below, intervals reach ± 0.2 and more).
 LEAST = 128

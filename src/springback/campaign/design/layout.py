@@ -39,6 +39,7 @@ from springback.campaign.design.targets import in_numbers
 from springback.control.reference_parameters import ReferenceSettings
 from springback.errors import InputError
 from springback.problems import dotted_path, problem_paths
+from springback.random_streams import Purpose
 from springback.results.sealed_json import digest_of
 from springback.scenario.code_files import code_digests, code_names
 from springback.scenario.presets import vehicle_table
@@ -46,7 +47,6 @@ from springback.scenario.scenario import Scenario, merge, preset, scenario_from
 from springback.scenario.trust import check_trusted
 from springback.settings import Settings
 from springback.simulation.measures import FAILURES, Outcome
-from springback.simulation.noise import Purpose
 from springback.vehicle.library import VEHICLES
 
 Tables = dict[str, Any]

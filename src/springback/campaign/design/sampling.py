@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 import scipy  # submodules are loaded on first use
 
-from springback.simulation.noise import Purpose, stream
+from springback.random_streams import Purpose, stream
 
 Numbers = npt.NDArray[np.float64]
 

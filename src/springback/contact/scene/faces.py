@@ -31,6 +31,7 @@ from springback.contact.obstacles import (
     Obstacle,
     Plane,
     obstacle_in_body_frame,
+    outward_normal,
     signed_distance,
 )
 from springback.contact.rings import FAR, lowest_on_ring, on_ring
@@ -40,7 +41,7 @@ from springback.contact.scene.nearest import (
     MOST_NEAR,
     SOLIDS,
     SURFACES,
-    NearSolids,
+    NearestSolids,
     nearest_of,
     nearest_solid,
     row_of_near,
@@ -57,10 +58,13 @@ from springback.contact.scene.solids import (
     SURFACE,
     WIDTH,
     Face,
+    SolidForm,
+    form_at,
+    form_face,
     solid_face,
     vector_at,
 )
-from springback.contact.surfaces import AnyExponent, EitherTangents, Surface
+from springback.contact.surfaces import AnyExponent, AnyTangent, Surface
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.routines import Routine, call_routine, number_at
 from springback.kernels.trees import minimum, tree_map
@@ -69,8 +73,8 @@ from springback.vehicle.state import ArmPose, Sphere
 
 #: Faces that one part of a vehicle can meet at the same time: a corner has three.
 FACES = 3
-#: Where only a clearance is asked for, gaps above this are lower bounds [m] (chosen).
-EXACT_BELOW = 0.3
+#: In flight gaps above this are lower bounds [m] (chosen: only what may soon touch is looked for).
+EXACT_BELOW = 0.05
 #: Two contact points of a sphere that are closer than this are one [m] (chosen).
 APART = 1e-3
 #: Tolerance within which a point of one solid is on the surface of all [m].
@@ -83,12 +87,13 @@ SURFACE_WIDTH = 8
 RING, TIP, SPHERE = 0.0, 1.0, 2.0
 
 
-class Scene(NamedTuple):
+class SolidScene(NamedTuple):
     """All built-in solids of a world, and the user's own shapes beside them."""
 
     table: float  # address of the numbers
     query: float  # address of `scene_faces`
     own: tuple[Obstacle, ...]
+    exact: float  # 0: gaps above `EXACT_BELOW` may be lower bounds, 1: they are exact
 
 
 class SceneInBodyFrame(NamedTuple):
@@ -99,9 +104,10 @@ class SceneInBodyFrame(NamedTuple):
     own: tuple[Obstacle, ...]  # in the body frame
     position: Vec  # of the body, world [m]
     r: Mat3  # body axes to world axes
+    exact: float
 
 
-class Part(NamedTuple):
+class VehiclePart(NamedTuple):
     """A part of a vehicle for which faces are looked for."""
 
     table: float
@@ -117,7 +123,7 @@ class Part(NamedTuple):
 # -- faces ----------------------------------------------------------------------------------------
 
 
-class FoundFaces(NamedTuple):
+class ThreeFaces(NamedTuple):
     """The faces found so far, nearest first."""
 
     first: ContactFace
@@ -132,7 +138,7 @@ def _surface_at(table: float, row: int) -> Surface:
     return Surface(
         number_at(table, k), number_at(table, k + 1), number_at(table, k + 2),
         AnyExponent(number_at(table, k + 3)), number_at(table, k + 4),
-        EitherTangents(number_at(table, k + 5)), number_at(table, k + 6), number_at(table, k + 7),
+        AnyTangent(number_at(table, k + 5)), number_at(table, k + 6), number_at(table, k + 7),
     )  # fmt: skip
 
 
@@ -140,34 +146,34 @@ def _surface_at(table: float, row: int) -> Surface:
 def _no_face() -> ContactFace:
     none = Vec(0.0, 0.0, 0.0)
     surface = Surface(
-        0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, EitherTangents(0.0), 1.0, -1.0
+        0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, AnyTangent(0.0), 1.0, -1.0
     )  # fmt: skip
     nearest = NearestFace(FAR, Vec(0.0, 0.0, 1.0), Support(none, none, none, 0.0), 1.0)
     return ContactFace(nearest, surface, 0.0)
 
 
 @kernel
-def no_faces() -> FoundFaces:
+def no_faces() -> ThreeFaces:
     """No face within reach."""
-    return FoundFaces(_no_face(), _no_face(), _no_face())
+    return ThreeFaces(_no_face(), _no_face(), _no_face())
 
 
 @kernel
-def _with_face(found: FoundFaces, table: float, row: int, nearest: NearestFace) -> FoundFaces:
+def _with_face(found: ThreeFaces, table: float, row: int, nearest: NearestFace) -> ThreeFaces:
     """Faces with one more, if it is nearer than the farthest of them."""
     gap = nearest.gap
     if gap >= found.third.nearest.gap:
         return found
     new = ContactFace(nearest, _surface_at(table, row), number_at(table, row + GROUND))
     if gap < found.first.nearest.gap:
-        return FoundFaces(new, found.first, found.second)
+        return ThreeFaces(new, found.first, found.second)
     if gap < found.second.nearest.gap:
-        return FoundFaces(found.first, new, found.second)
-    return FoundFaces(found.first, found.second, new)
+        return ThreeFaces(found.first, new, found.second)
+    return ThreeFaces(found.first, found.second, new)
 
 
 @kernel
-def _on_plane(part: Part, plane: Plane) -> NearestFace:
+def _on_plane(part: VehiclePart, plane: Plane) -> NearestFace:
     """Face of a plane in the body frame."""
     pose = part.pose
     if part.kind == RING:
@@ -185,13 +191,13 @@ def _of_sphere(there: Face, radius: float) -> NearestFace:
 
 
 @kernel
-def _plane_in_body_frame(part: Part, normal: Vec, point: Vec) -> Plane:
+def _plane_in_body_frame(part: VehiclePart, normal: Vec, point: Vec) -> Plane:
     """Plane through a point of the world."""
     return Plane(normal @ part.r, normal @ (point - part.position))
 
 
 @kernel
-def _with_half_spaces(found: FoundFaces, part: Part) -> FoundFaces:
+def _with_half_spaces(found: ThreeFaces, part: VehiclePart) -> ThreeFaces:
     table = part.table
     for k in range(int(number_at(table, HALF_SPACES))):
         row = HEADER + WIDTH * k
@@ -202,7 +208,7 @@ def _with_half_spaces(found: FoundFaces, part: Part) -> FoundFaces:
 
 
 @kernel
-def _ring_on_box(part: Part, row: int, centre: Vec) -> NearestFace:
+def _ring_on_box(part: VehiclePart, row: int, centre: Vec) -> NearestFace:
     """Face of a box over which the whole of a ring is; `FAR` if there is none."""
     table, half, radius = part.table, vector_at(part.table, row + SIZES), part.radius
     relative = centre - vector_at(table, row + CENTRE)
@@ -225,20 +231,71 @@ def _ring_on_box(part: Part, row: int, centre: Vec) -> NearestFace:
 
 
 @kernel
-def _on_face(part: Part, row: int, normal: Vec, height: float) -> NearestFace:
+def _on_face(part: VehiclePart, row: int, normal: Vec, height: float) -> NearestFace:
     """Face of a solid at some height above its centre [m], as part of a plane."""
     point = vector_at(part.table, row + CENTRE) + height * normal
     return _on_plane(part, _plane_in_body_frame(part, normal, point))
 
 
+class AlongRing(NamedTuple):
+    """A solid, viewed from a ring: points in the ring's plane, from its centre, in body axes."""
+
+    form: SolidForm
+    centre: Vec  # of the ring, in the solid's axes [m]
+    x: Vec  # body axes in the solid's axes
+    y: Vec
+    z: Vec
+
+
 @kernel
-def _with_ring(found: FoundFaces, part: Part, near: NearSolids, centre: Vec) -> FoundFaces:
+def _along_ring(part: VehiclePart, row: int, centre: Vec) -> AlongRing:
+    table, r = part.table, part.r
+    relative = centre - vector_at(table, row + CENTRE)
+    ex, ey = vector_at(table, row + AXES), vector_at(table, row + AXES + 3)
+    ez = vector_at(table, row + AXES + 6)
+    ax, ay, az = ex @ r, ey @ r, ez @ r  # the solid's axes in body axes
+    return AlongRing(
+        form_at(table, row),
+        Vec(ex @ relative, ey @ relative, ez @ relative),
+        Vec(ax.x, ay.x, az.x),
+        Vec(ax.y, ay.y, az.y),
+        Vec(ax.z, ay.z, az.z),
+    )
+
+
+@kernel
+def _face_along_ring(view: AlongRing, point: Vec) -> Face:
+    return form_face(view.form, view.centre + view.x * point.x + view.y * point.y)
+
+
+@signed_distance.register(AlongRing)
+@kernel
+def _distance_along_ring(view: AlongRing, point: Vec) -> float:
+    return _face_along_ring(view, point).gap
+
+
+@outward_normal.register(AlongRing)
+@kernel
+def _normal_along_ring(view: AlongRing, point: Vec) -> Vec:
+    n = _face_along_ring(view, point).normal
+    return Vec(view.x @ n, view.y @ n, view.z @ n)
+
+
+@kernel
+def _with_ring(
+    found: ThreeFaces, part: VehiclePart, near: NearestSolids, centre: Vec
+) -> ThreeFaces:
     """Faces with those that a ring meets on solids."""
     if near.number == 1:
         row = row_of_near(near, 0)
         whole = _ring_on_box(part, row, centre)
         if whole.gap < FAR:
             return _with_face(found, part.table, row, whole)
+        along, middle = _along_ring(part, row, centre), Vec(0.0, 0.0, 0.0)
+        lowest = lowest_on_ring(along, middle, part.radius, part.pose.direction)
+        if lowest.second.gap < FAR:
+            found = _with_face(found, part.table, row, at_low_point(part.radius, lowest.second))
+        return _with_face(found, part.table, row, at_low_point(part.radius, lowest.first))
     view = InBodyFrame(near, part.position, part.r)
     low = lowest_on_ring(view, part.pose.lever, part.radius, part.pose.direction)
     for k in range(2):
@@ -251,17 +308,29 @@ def _with_ring(found: FoundFaces, part: Part, near: NearSolids, centre: Vec) -> 
 
 
 @kernel
-def _with_tip(found: FoundFaces, part: Part, near: NearSolids, centre: Vec) -> FoundFaces:
-    """Faces with the one that the paper's contact point meets on solids."""
-    row, pose = nearest_of(near, centre).row, part.pose
-    n = -(solid_face(part.table, row, centre).normal @ part.r)
+def _tip_on_solid(part: VehiclePart, row: int, centre: Vec) -> NearestFace:
+    """Face of one solid that the paper's contact point meets."""
+    table, pose, position, r = part.table, part.pose, part.position, part.r
+    n = -(solid_face(table, row, centre).normal @ r)
     at = support(ArmTip(0.0), n, pose.direction, part.radius)
-    there = nearest_of(near, centre + part.r @ at.point)
-    return _with_face(found, part.table, there.row, NearestFace(there.gap, n, at, 1.0))
+    point = position + r @ (pose.lever + at.point)
+    return NearestFace(solid_face(table, row, point).gap, n, at, 1.0)
 
 
 @kernel
-def _is_exposed(near: NearSolids, row: int, point: Vec) -> bool:
+def _with_tip(found: ThreeFaces, part: VehiclePart, near: NearestSolids, centre: Vec) -> ThreeFaces:
+    """Faces with the one that the paper's contact point meets on solids: the lowest of all."""
+    row = nearest_of(near, centre).row
+    lowest = _tip_on_solid(part, row, centre)
+    for k in range(near.number if near.number <= MOST_NEAR else 0):
+        other = _tip_on_solid(part, row_of_near(near, k), centre)
+        if other.gap < lowest.gap:
+            lowest, row = other, row_of_near(near, k)
+    return _with_face(found, part.table, row, lowest)
+
+
+@kernel
+def _is_exposed(near: NearestSolids, row: int, point: Vec) -> bool:
     """True if a point on the surface of a solid is inside no other one."""
     exposed = True
     for k in range(near.number):
@@ -272,7 +341,9 @@ def _is_exposed(near: NearSolids, row: int, point: Vec) -> bool:
 
 
 @kernel
-def _with_sphere(found: FoundFaces, part: Part, near: NearSolids, centre: Vec) -> FoundFaces:
+def _with_sphere(
+    found: ThreeFaces, part: VehiclePart, near: NearestSolids, centre: Vec
+) -> ThreeFaces:
     """Faces with those that a sphere meets: the nearest solid, and the next one apart from it."""
     table = part.table
     nearest = nearest_of(near, centre).row
@@ -297,7 +368,7 @@ def _with_sphere(found: FoundFaces, part: Part, near: NearSolids, centre: Vec) -
 
 
 @kernel
-def scene_faces(part: Part) -> FoundFaces:
+def scene_faces(part: VehiclePart) -> ThreeFaces:
     """The faces that a part of a vehicle meets, or is next to, in body axes."""
     table = part.table
     found = _with_half_spaces(no_faces(), part)
@@ -318,17 +389,17 @@ def scene_faces(part: Part) -> FoundFaces:
     return found
 
 
-def _blank_part() -> Part:
+def _blank_part() -> VehiclePart:
     none = Vec(0.0, 0.0, 0.0)
     pose = ArmPose(none, none, none)
-    return Part(0.0, 0.0, 0.0, 0.0, pose, none, Mat3(none, none, none), 0.0)
+    return VehiclePart(0.0, 0.0, 0.0, 0.0, pose, none, Mat3(none, none, none), 0.0)
 
 
 #: `scene_faces`, compiled once for all vehicles and worlds.
 SCENE_FACES = Routine(scene_faces, _blank_part())
 
 
-def distance_of(scene: Scene, point: Vec) -> float:
+def distance_of(scene: SolidScene, point: Vec) -> float:
     """Distance of a point from the nearest obstacle of a scene [m]."""
     table = scene.table
     rows = (HEADER + WIDTH * k for k in range(int(number_at(table, HALF_SPACES))))
@@ -363,26 +434,29 @@ def _sphere_numbers(hull: Sphere) -> tuple[float, float]:
 
 @kernel
 def _found_faces(
-    scene: SceneInBodyFrame, contact_point: Any, radius: float, arm: ArmPose, exact: float
-) -> FoundFaces:
+    scene: SceneInBodyFrame, contact_point: Any, radius: float, arm: ArmPose
+) -> ThreeFaces:
     kind, rounding = part_numbers(contact_point)
-    part = Part(scene.table, kind, rounding, radius, arm, scene.position, scene.r, exact)
+    at, r = scene.position, scene.r
+    part = VehiclePart(scene.table, kind, rounding, radius, arm, at, r, scene.exact)
     return call_routine(scene.query, part, no_faces())
 
 
-@obstacles_in_body_frame.register(Scene)
+@obstacles_in_body_frame.register(SolidScene)
 @kernel
-def _scene_in_body_frame(scene: Scene, position: Vec, r: Mat3) -> SceneInBodyFrame:
+def _scene_in_body_frame(scene: SolidScene, position: Vec, r: Mat3) -> SceneInBodyFrame:
     own = tree_map(obstacle_in_body_frame, (scene.own,), (position, r))
-    return SceneInBodyFrame(scene.table, scene.query, own, position, r)
+    return SceneInBodyFrame(scene.table, scene.query, own, position, r, scene.exact)
 
 
 @contact_faces.register(SceneInBodyFrame)
 @kernel
 def _scene_contact_faces(
-    scene: SceneInBodyFrame, contact_point: Any, radius: float, arm: ArmPose
+    scene: SceneInBodyFrame, contact_point: Any, radius: float, arm: ArmPose, engaged: float
 ) -> tuple[ContactFace, ...]:
-    found = _found_faces(scene, contact_point, radius, arm, 1.0)
+    found = no_faces()
+    if engaged > 0.0:
+        found = _found_faces(scene, contact_point, radius, arm)
     own = tree_map(face_of, (scene.own,), (contact_point, radius, arm))
     return (found.first, found.second, found.third) + own  # noqa: RUF005
 
@@ -390,14 +464,14 @@ def _scene_contact_faces(
 @lowest_gap.register(SceneInBodyFrame)
 @kernel
 def _scene_gap(scene: SceneInBodyFrame, contact_point: Any, radius: float, arm: ArmPose) -> float:
-    found = _found_faces(scene, contact_point, radius, arm, 0.0)
+    found = _found_faces(scene, contact_point, radius, arm)
     own = tree_map(cage_gap, (scene.own,), (contact_point, radius, arm))
     return minimum((found.first.nearest.gap,) + own)  # noqa: RUF005
 
 
-@per_face.register(Scene)
+@per_face.register(SolidScene)
 @kernel
-def _per_scene_face(scene: Scene, value: float) -> tuple[float, ...]:
+def _per_scene_face(scene: SolidScene, value: float) -> tuple[float, ...]:
     return (value, value, value) + per_face(scene.own, value)  # noqa: RUF005
 
 

@@ -88,7 +88,7 @@ def nearest_solid(table: float, point: Vec) -> Nearest:
     return Nearest(best, row)
 
 
-class NearSolids(NamedTuple):
+class NearestSolids(NamedTuple):
     """Those solids of a world that can be nearest to any point of a part of a vehicle."""
 
     table: float
@@ -98,7 +98,7 @@ class NearSolids(NamedTuple):
 
 
 @kernel
-def solids_within(table: float, point: Vec, reach: float) -> NearSolids:
+def solids_within(table: float, point: Vec, reach: float) -> NearestSolids:
     """Solids within some distance of a point of the world [m]."""
     leaves, solids = int(number_at(table, LEAVES)), int(number_at(table, SOLIDS))
     count, first, second, node = 0, 0, 0, 1 if solids > 0 else 0
@@ -118,18 +118,18 @@ def solids_within(table: float, point: Vec, reach: float) -> NearSolids:
         while node & 1:
             node >>= 1
         node = node + 1 if node > 0 else 0
-    return NearSolids(table, count, first, second)
+    return NearestSolids(table, count, first, second)
 
 
 @kernel
-def row_of_near(near: NearSolids, k: int) -> int:
+def row_of_near(near: NearestSolids, k: int) -> int:
     """Position of the numbers of one of some solids, of which there are at most `MOST_NEAR`."""
     packed = near.first >> (16 * k) if k < 4 else near.second >> (16 * (k - 4))
     return solid_row(near.table, packed & 0xFFFF)
 
 
 @kernel
-def nearest_of(near: NearSolids, point: Vec) -> Nearest:
+def nearest_of(near: NearestSolids, point: Vec) -> Nearest:
     """The nearest of some solids."""
     if near.number > MOST_NEAR:
         return nearest_solid(near.table, point)
@@ -142,13 +142,13 @@ def nearest_of(near: NearSolids, point: Vec) -> Nearest:
     return Nearest(best, row)
 
 
-@signed_distance.register(NearSolids)
+@signed_distance.register(NearestSolids)
 @kernel
-def _near_distance(near: NearSolids, point: Vec) -> float:
+def _near_distance(near: NearestSolids, point: Vec) -> float:
     return nearest_of(near, point).gap
 
 
-@outward_normal.register(NearSolids)
+@outward_normal.register(NearestSolids)
 @kernel
-def _near_normal(near: NearSolids, point: Vec) -> Vec:
+def _near_normal(near: NearestSolids, point: Vec) -> Vec:
     return solid_face(near.table, nearest_of(near, point).row, point).normal

@@ -44,7 +44,7 @@ class Face(NamedTuple):
     normal: Vec
 
 
-class Flat(NamedTuple):
+class PlanarFace(NamedTuple):
     """Distance of a point from a shape in a plane, and its gradient."""
 
     gap: float
@@ -64,20 +64,20 @@ def _sign(x: float) -> float:
 
 
 @kernel
-def _profile(a: float, b: float) -> Flat:
+def _profile(a: float, b: float) -> PlanarFace:
     """Quadrant a < 0 and b < 0: distance, and gradient along a and b."""
     out_a, out_b = a if a > 0.0 else 0.0, b if b > 0.0 else 0.0
     length = math.sqrt(out_a * out_a + out_b * out_b)
     if length > TINY:
         inverse = 1.0 / length
-        return Flat(length, out_a * inverse, out_b * inverse)
-    return Flat(a, 1.0, 0.0) if a > b else Flat(b, 0.0, 1.0)
+        return PlanarFace(length, out_a * inverse, out_b * inverse)
+    return PlanarFace(a, 1.0, 0.0) if a > b else PlanarFace(b, 0.0, 1.0)
 
 
 @kernel
-def _rectangle(x: float, y: float, half_x: float, half_y: float) -> Flat:
+def _rectangle(x: float, y: float, half_x: float, half_y: float) -> PlanarFace:
     found = _profile(abs(x) - half_x, abs(y) - half_y)
-    return Flat(found.gap, found.x * _sign(x), found.y * _sign(y))
+    return PlanarFace(found.gap, found.x * _sign(x), found.y * _sign(y))
 
 
 @kernel
@@ -106,7 +106,7 @@ def _capsule(q: Vec, half: float, radius: float) -> Face:
 
 
 @kernel
-def _about_axis(q: Vec, rho: float, found: Flat) -> Face:
+def _about_axis(q: Vec, rho: float, found: PlanarFace) -> Face:
     """Face of a body of revolution, from its section through the axis: along ρ and z."""
     if rho > TINY:
         outward = found.x / rho
@@ -125,8 +125,8 @@ def _frustum(q: Vec, bottom: float, top: float, half: float) -> Face:
     aside = nx * (rho - bottom) + nz * (q.z + half)
     if below <= 0.0 and above <= 0.0 and aside <= 0.0:
         if aside >= below and aside >= above:
-            return _about_axis(q, rho, Flat(aside, nx, nz))
-        level = Flat(below, 0.0, -1.0) if below > above else Flat(above, 0.0, 1.0)
+            return _about_axis(q, rho, PlanarFace(aside, nx, nz))
+        level = PlanarFace(below, 0.0, -1.0) if below > above else PlanarFace(above, 0.0, 1.0)
         return _about_axis(q, rho, level)
     t = ((rho - bottom) * dx + (q.z + half) * dz) * inverse * inverse
     t = 0.0 if t < 0.0 else (1.0 if t > 1.0 else t)
@@ -141,7 +141,7 @@ def _frustum(q: Vec, bottom: float, top: float, half: float) -> Face:
         vx, vz, square = ax, az, high
     length = math.sqrt(square)
     scale = 1.0 / length if length > TINY else 0.0
-    return _about_axis(q, rho, Flat(length, vx * scale, vz * scale))
+    return _about_axis(q, rho, PlanarFace(length, vx * scale, vz * scale))
 
 
 @kernel
@@ -150,11 +150,11 @@ def _torus(q: Vec, radius: float, tube: float) -> Face:
     x, z = rho - radius, q.z
     length = math.sqrt(x * x + z * z)
     scale = 1.0 / length if length > TINY else 0.0
-    return _about_axis(q, rho, Flat(length - tube, x * scale, z * scale))
+    return _about_axis(q, rho, PlanarFace(length - tube, x * scale, z * scale))
 
 
 @kernel
-def _plate(q: Vec, half_thickness: float, section: Flat) -> Face:
+def _plate(q: Vec, half_thickness: float, section: PlanarFace) -> Face:
     """A shape in the plane of x and y, of some thickness along z."""
     found = _profile(section.gap, abs(q.z) - half_thickness)
     return Face(
@@ -163,36 +163,66 @@ def _plate(q: Vec, half_thickness: float, section: Flat) -> Face:
 
 
 @kernel
-def _cut(outline: Flat, opening: Flat) -> Flat:
+def _cut(outline: PlanarFace, opening: PlanarFace) -> PlanarFace:
     """An outline without an opening."""
-    return outline if outline.gap > -opening.gap else Flat(-opening.gap, -opening.x, -opening.y)
+    return (
+        outline if outline.gap > -opening.gap else PlanarFace(-opening.gap, -opening.x, -opening.y)
+    )
 
 
 @kernel
-def _disc(x: float, y: float, radius: float) -> Flat:
+def _disc(x: float, y: float, radius: float) -> PlanarFace:
     rho = math.sqrt(x * x + y * y)
     scale = 1.0 / rho if rho > TINY else 0.0
-    return Flat(rho - radius, x * scale, y * scale)
+    return PlanarFace(rho - radius, x * scale, y * scale)
+
+
+class SolidForm(NamedTuple):
+    """What a solid is, without its place."""
+
+    kind: float
+    a: float  # its sizes [m]
+    b: float
+    c: float
+    d: float
+    e: float
+    f: float
+    rounding: float  # [m]
 
 
 @kernel
-def _local_face(table: float, row: int, kind: float, q: Vec) -> Face:
-    """Face of a solid before its edges are rounded, in its own axes."""
-    a, b = number_at(table, row + SIZES), number_at(table, row + SIZES + 1)
-    if kind == CAPSULE:
-        return _capsule(q, a, b)
-    c = number_at(table, row + SIZES + 2)
-    if kind == BOX:
-        return _box(q, Vec(a, b, c))
-    if kind == FRUSTUM:
-        return _frustum(q, a, b, c)
-    if kind == TORUS:
-        return _torus(q, a, b)
-    outline, d = _rectangle(q.x, q.y, a, b), number_at(table, row + SIZES + 3)
-    if kind == WINDOW:
-        e, f = number_at(table, row + SIZES + 4), number_at(table, row + SIZES + 5)
-        return _plate(q, c, _cut(outline, _rectangle(q.x, q.y - f, d, e)))
-    return _plate(q, c, _cut(outline, _disc(q.x, q.y, d)))
+def form_at(table: float, row: int) -> SolidForm:
+    """Form of the solid whose numbers begin at a position of a table."""
+    k = row + SIZES
+    return SolidForm(
+        number_at(table, row + KIND), number_at(table, k), number_at(table, k + 1),
+        number_at(table, k + 2), number_at(table, k + 3), number_at(table, k + 4),
+        number_at(table, k + 5), number_at(table, row + ROUNDING),
+    )  # fmt: skip
+
+
+@kernel
+def _sharp_face(s: SolidForm, q: Vec) -> Face:
+    """Face of a solid before its edges are rounded."""
+    if s.kind == CAPSULE:
+        return _capsule(q, s.a, s.b)
+    if s.kind == BOX:
+        return _box(q, Vec(s.a, s.b, s.c))
+    if s.kind == FRUSTUM:
+        return _frustum(q, s.a, s.b, s.c)
+    if s.kind == TORUS:
+        return _torus(q, s.a, s.b)
+    outline = _rectangle(q.x, q.y, s.a, s.b)
+    if s.kind == WINDOW:
+        return _plate(q, s.c, _cut(outline, _rectangle(q.x, q.y - s.f, s.d, s.e)))
+    return _plate(q, s.c, _cut(outline, _disc(q.x, q.y, s.d)))
+
+
+@kernel
+def form_face(s: SolidForm, q: Vec) -> Face:
+    """Distance and outward normal of a solid that is no half-space, all in its own axes."""
+    found = _sharp_face(s, q)
+    return Face(found.gap - s.rounding, found.normal)
 
 
 @kernel
@@ -204,12 +234,12 @@ def solid_face(table: float, row: int, point: Vec) -> Face:
         row: Position of the solid's first number.
         point: [m].
     """
-    kind = number_at(table, row + KIND)
     relative = point - vector_at(table, row + CENTRE)
     ez = vector_at(table, row + AXES + 6)
-    if kind == HALF_SPACE:
+    if number_at(table, row + KIND) == HALF_SPACE:
         return Face(ez @ relative, ez)
     ex, ey = vector_at(table, row + AXES), vector_at(table, row + AXES + 3)
-    found = _local_face(table, row, kind, Vec(ex @ relative, ey @ relative, ez @ relative))
+    q = Vec(ex @ relative, ey @ relative, ez @ relative)
+    found = form_face(form_at(table, row), q)
     n = found.normal
-    return Face(found.gap - number_at(table, row + ROUNDING), ex * n.x + ey * n.y + ez * n.z)
+    return Face(found.gap, ex * n.x + ey * n.y + ez * n.z)

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.contact.obstacles import Obstacle
-from springback.contact.scene.faces import SCENE_FACES, SURFACE_WIDTH, Scene
+from springback.contact.scene.faces import SCENE_FACES, SURFACE_WIDTH, SolidScene
 from springback.contact.scene.nearest import (
     HALF_SPACES,
     HEADER,
@@ -34,7 +34,7 @@ from springback.contact.scene.solids import (
     TORUS,
     WIDTH,
 )
-from springback.contact.surfaces import AnyExponent, EitherTangents, Surface
+from springback.contact.surfaces import AnyExponent, AnyTangent, Surface
 from springback.kernels.routines import NumberTable
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -84,7 +84,7 @@ class Solid(NamedTuple):
 
 def scene_of(
     solids: Sequence[Solid], surfaces: Sequence[Surface], own: tuple[Obstacle, ...] = ()
-) -> Scene:
+) -> SolidScene:
     """Scene of some solids.
 
     Args:
@@ -92,7 +92,7 @@ def scene_of(
         surfaces: Those that the solids name by number.
         own: The user's own shapes beside them.
     """
-    return Scene(NumberTable(_numbers(solids, surfaces)), SCENE_FACES.address, own)
+    return SolidScene(NumberTable(_numbers(solids, surfaces)), SCENE_FACES.address, own, 0.0)
 
 
 def _numbers(solids: Sequence[Solid], surfaces: Sequence[Surface]) -> Array:
@@ -116,7 +116,7 @@ def _numbers(solids: Sequence[Solid], surfaces: Sequence[Surface]) -> Array:
 def _surface_numbers(s: Surface) -> list[float]:
     exponent, axes = s.exponent, s.friction_axes
     assert isinstance(exponent, AnyExponent)
-    assert isinstance(axes, EitherTangents)
+    assert isinstance(axes, AnyTangent)
     numbers = [
         s.stiffness, s.dissipation, s.viscosity, exponent.value, s.friction, axes.vertical,
         s.slip_speed, s.restitution,

@@ -38,9 +38,9 @@ from springback.sensing.kalman.memory import (
     KalmanMemory,
     Known,
     Nominal,
+    PoseWindow,
     StoredPose,
     Track,
-    Window,
     empty_window,
     exposed_before,
     kalman_memory,
@@ -165,7 +165,7 @@ def _integrate(kalman: Kalman, tick: float, inertial: Inertial, track: Track) ->
         nominal=after,
         angular_velocity=omega,
         acceleration=acceleration,
-        window=Window(
+        window=PoseWindow(
             window.duration + dt,
             window.gained + dt * force,
             window.attitude,
@@ -178,7 +178,7 @@ def _integrate(kalman: Kalman, tick: float, inertial: Inertial, track: Track) ->
 
 
 @kernel
-def _transition(window: Window, attitude: Quat) -> Transition:
+def _transition(window: PoseWindow, attitude: Quat) -> Transition:
     """Transition F over a window that ends with an attitude."""
     before, after = rotation(window.attitude), rotation(attitude)
     return Transition(
@@ -190,7 +190,7 @@ def _transition(window: Window, attitude: Quat) -> Transition:
 
 
 @kernel
-def _noise(kalman: Kalman, window: Window) -> Noise:
+def _noise(kalman: Kalman, window: PoseWindow) -> Noise:
     """Noise Q over a window: a one-sided density N, as in data sheets, adds a variance ½ N² T.
 
     (Its power N² f/2 per sample at the rate f, times f T samples of 1/f² each.)  A bias with a

@@ -61,7 +61,7 @@ class Nominal(NamedTuple):
     gyroscope_bias: Vec  # body [rad/s]
 
 
-class Window(NamedTuple):
+class PoseWindow(NamedTuple):
     """Inertial samples since the covariance was last predicted."""
 
     duration: float  # [s]
@@ -72,9 +72,9 @@ class Window(NamedTuple):
 
 
 @kernel
-def empty_window(attitude: Quat) -> Window:
+def empty_window(attitude: Quat) -> PoseWindow:
     """A window that begins at an attitude."""
-    return Window(0.0, Vec(0.0, 0.0, 0.0), attitude, 0.0, 0.0)
+    return PoseWindow(0.0, Vec(0.0, 0.0, 0.0), attitude, 0.0, 0.0)
 
 
 class StoredPose(NamedTuple):
@@ -97,7 +97,7 @@ class Track(NamedTuple):
     nominal: Nominal
     angular_velocity: Vec  # body, bias subtracted [rad/s]
     acceleration: Vec  # world [m/s²]
-    window: Window
+    window: PoseWindow
     stored: tuple[StoredPose, ...]  # of the last exposures, newest first
     waiting: float  # time since the last inertial sample [s]
 

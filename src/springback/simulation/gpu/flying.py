@@ -12,6 +12,10 @@ from typing import Any
 
 import numpy as np
 
+from springback.contact.obstacles import World
+from springback.contact.parameters import PLANES
+from springback.contact.scene.faces import SolidScene
+from springback.errors import InputError
 from springback.kernels.compiler import Origin
 from springback.kernels.gpu.cuda import LoadedKernel, Memory
 from springback.kernels.gpu.nvptx import Precision, device_function
@@ -169,6 +173,16 @@ def _files(*trees: Any) -> Origin | None:
     return sources(own) if own else Origin((), (), "")
 
 
+def _check_world(world: World) -> None:
+    """Reject obstacles that a routine of the processor looks for.
+
+    Raises:
+        InputError: If there is a scene.
+    """
+    if isinstance(world.obstacles, SolidScene):
+        raise InputError(f"a GPU flies into {', '.join(PLANES)} only; use the processor")
+
+
 def fly_buffers_on_gpu(
     shape: Shape,
     buffers: Buffer,
@@ -190,9 +204,10 @@ def fly_buffers_on_gpu(
         progress: Called from time to time with the share of flights done.
 
     Raises:
-        InputError: If there is no GPU.
+        InputError: If there is no GPU, or for obstacles that are not planes.
         PtxError: If the flights need a function that a GPU does not have.
     """
+    _check_world(shape.model.world)
     if thrusts is not None:
         fly_buffers(shape, buffers, width, thrusts=thrusts, progress=progress)
         return
@@ -232,10 +247,11 @@ def fly_groups_on_gpu(
         progress: Called from time to time with the share of flights done.
 
     Raises:
-        InputError: If there is no GPU.
+        InputError: If there is no GPU, or for obstacles that are not planes.
         PtxError: If the flights need a function that a GPU does not have.
     """
     model, start, avionics = flight
+    _check_world(model.world)
     width, duration, shape = len(buffers.lanes), model.timing.until, shape_of(model, start)
     ticks, at = ticks_of(duration, avionics.systems.period), places(shape, width)
     channels = sum(draw.channels for draw in noise.draws) - GUST_NOISE
