@@ -19,7 +19,7 @@ import pytest
 
 import springback
 from builders.cases import nonempty
-from springback.contact.shapes import Shape
+from springback.contact.worlds import Shape
 from springback.interfaces.cli.app import cli
 from springback.quantities import number_in
 from springback.scenario.fields import TableField, fields_of

@@ -15,7 +15,7 @@ from click.testing import CliRunner, Result
 from PIL import Image
 
 from springback.contact.library import WALL
-from springback.contact.shapes import Window
+from springback.contact.openings import Window
 from springback.errors import InputError
 from springback.interfaces.animation import bodies, timing
 from springback.interfaces.animation import film as animation

@@ -9,19 +9,18 @@ import numpy as np
 import pytest
 
 from builders.shapes import SHAPES
+from springback.contact.forest import Forest
 from springback.contact.library import WALL
+from springback.contact.openings import Doorway, Window
 from springback.contact.scene.solids import solid_face
 from springback.contact.shapes import (
     Ball,
     Box,
     Capsule,
-    Doorway,
-    Forest,
     Hoop,
     Pole,
     ShapeSettings,
     Stairs,
-    Window,
     solids_of,
 )
 from springback.interfaces.replay.shape_meshes import EndSpan, ShapeMesh, mesh_of, trunks

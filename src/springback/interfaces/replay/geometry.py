@@ -8,9 +8,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.contact.forest import Forest
 from springback.contact.parameters import Ground, Mat, Wall
 from springback.contact.scene.table import ENDLESS, Solid
-from springback.contact.shapes import Body, Forest, ShapeSettings, Slope, Stairs
+from springback.contact.shapes import ShapeSettings, Slope, SolidShape, Stairs
 from springback.contact.worlds import BuiltIn, Own
 from springback.interfaces.replay.shape_meshes import (
     EndSpan,
@@ -156,7 +157,7 @@ def _axes(n: Array, lying: float) -> tuple[Array, Array]:
 class _NearShapes(NamedTuple):
     """Shapes near a flight with those of their solids that are drawn."""
 
-    parts: list[tuple[ShapeSettings, list[Body]]]
+    parts: list[tuple[ShapeSettings, list[SolidShape]]]
     notes: tuple[str, ...]
 
 
@@ -185,7 +186,7 @@ def _near(shapes: Sequence[ShapeSettings], flown: Array) -> _NearShapes:
     return _NearShapes(chosen, (note,))
 
 
-def _distances(bodies: Sequence[Body], points: Array) -> Array:
+def _distances(bodies: Sequence[SolidShape], points: Array) -> Array:
     """Distances of the boxes around bodies from the nearest of some points [m]."""
     centres = np.array([body.centre for body in bodies])
     axes = np.array([body.axes for body in bodies])
@@ -199,10 +200,10 @@ def _distances(bodies: Sequence[Body], points: Array) -> Array:
 
 
 def _meshes(
-    parts: Sequence[tuple[ShapeSettings, list[Body]]], flown: Array, floor: float | None
+    parts: Sequence[tuple[ShapeSettings, list[SolidShape]]], flown: Array, floor: float | None
 ) -> Iterable[Drawable]:
     """One mesh for all shapes of a type."""
-    kinds: dict[str, list[tuple[ShapeSettings, list[Body]]]] = {}
+    kinds: dict[str, list[tuple[ShapeSettings, list[SolidShape]]]] = {}
     for shape, bodies in parts:
         kinds.setdefault(str(getattr(shape, "type", "")), []).append((shape, bodies))
     for name, group in kinds.items():
@@ -228,7 +229,7 @@ def _key(shapes: Iterable[ShapeSettings]) -> str:
 
 
 def _mesh(
-    shape: ShapeSettings, bodies: Sequence[Body], flown: Array, floor: float | None
+    shape: ShapeSettings, bodies: Sequence[SolidShape], flown: Array, floor: float | None
 ) -> ShapeMesh:
     if isinstance(shape, Stairs):
         return mesh_of(shape)
@@ -242,7 +243,9 @@ def _mesh(
     ])  # fmt: skip
 
 
-def _span(body: Body, flown: Array, floor: float | None, *, everywhere: bool = False) -> EndSpan:
+def _span(
+    body: SolidShape, flown: Array, floor: float | None, *, everywhere: bool = False
+) -> EndSpan:
     """Where a pole without end is cut: around the flight near it, or everywhere, and at the floor.
 
     Args:

@@ -15,7 +15,7 @@ import numpy as np
 
 from springback.contact.scene.solids import BOX, CAPSULE, FRUSTUM, ROUND_WINDOW, TORUS, WINDOW
 from springback.contact.scene.table import ENDLESS
-from springback.contact.shapes import Body, ShapeSettings, Stairs
+from springback.contact.shapes import ShapeSettings, SolidShape, Stairs
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Cells = np.ndarray[Any, np.dtype[np.intp]]
@@ -56,7 +56,7 @@ def mesh_of(shape: ShapeSettings, span: EndSpan | None = None) -> ShapeMesh:
     return as_one([mesh_of_body(body, span) for body in shape.bodies()])
 
 
-def mesh_of_body(body: Body, span: EndSpan | None = None, sides: int = 0) -> ShapeMesh:
+def mesh_of_body(body: SolidShape, span: EndSpan | None = None, sides: int = 0) -> ShapeMesh:
     """Mesh of one solid.
 
     Args:
@@ -90,7 +90,7 @@ def as_one(meshes: Sequence[ShapeMesh]) -> ShapeMesh:
     )
 
 
-def trunks(bodies: Sequence[Body], span: EndSpan, sides: int) -> ShapeMesh:
+def trunks(bodies: Sequence[SolidShape], span: EndSpan, sides: int) -> ShapeMesh:
     """Upright poles without end as one mesh, fast for many of them.
 
     Args:
@@ -199,7 +199,7 @@ def _plate(
     return _welded(points, np.concatenate(parts))
 
 
-def _window(body: Body, sides: int) -> ShapeMesh:
+def _window(body: SolidShape, sides: int) -> ShapeMesh:
     """A wall with an opening: round, rectangular, or open below."""
     (a, b, half, *hole), edge = body.sizes, body.rounding
     levels, per_corner = _levels(half, edge), _steps(QUARTER, edge) + 1
