@@ -247,6 +247,17 @@ def fields(cls: type[Settings], path: str) -> list[TableField]:
     return [found for table in field.tables for found in fields(table, rest)]
 
 
+def test_a_reader_of_the_checkout_is_told_what_a_directive_adds() -> None:
+    """A code host shows these blocks as they are written: an empty page, but for a remark."""
+    blocks = [
+        (path.name, body) for path in PAGES
+        for body in re.findall(r"^```\{eval-rst\}\n(.*?)^```", path.read_text("utf-8"), re.M | re.S)
+        if re.match(r"(?:\.\. .*\n\n)?\.\. [\w-]+::", body)
+    ]  # fmt: skip
+    assert len(blocks) > 50
+    assert [name for name, body in blocks if '"make docs"' not in body.partition("\n")[0]] == []
+
+
 def test_glossary_leads_to_code_and_to_scenarios() -> None:
     rows = list(glossary())
     assert len(rows) > 45

@@ -22,6 +22,7 @@ import pytest
 
 import springback
 from builders.campaign_folders import filled
+from builders.plans import PITCH, SPEED, SURFACE, WALL
 from builders.typed_lines import Typed, typed
 from springback.campaign.design.plan import read_plan
 from springback.campaign.running import run_campaign
@@ -145,7 +146,9 @@ def options_exist(words: list[str]) -> None:
 def campaign(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder of rows that no flight made, with all columns of a campaign."""
     folder = tmp_path_factory.mktemp("campaign") / "results"
-    filled(folder, parts=2, size=8)
+    stiffness = {"field": "stiffness", "from": "1 N/mm", "to": "9 N/mm"}
+    damping = {"field": "damping", "from": "5 N s/m", "to": "50 N s/m"}
+    filled(folder, parts=2, size=8, vary=[SPEED, PITCH, SURFACE, stiffness, damping, WALL])
     return folder
 
 

@@ -45,7 +45,7 @@ if TYPE_CHECKING:
     from springback.scenario.avionics import CompiledPilot as CompiledPilot
     from springback.scenario.files import read_scenario as read_scenario
     from springback.scenario.scenario import Scenario as Scenario
-    from springback.scenario.user.pilots import PilotContext as PilotContext
+    from springback.scenario.user.builders import PilotContext as PilotContext
     from springback.sensing.measurement import Estimate as Estimate
     from springback.sensing.measurement import EstimatorStep as EstimatorStep
     from springback.sensing.measurement import Measurement as Measurement
@@ -84,7 +84,7 @@ _PUBLIC = {
     "CollisionInputs": "recovery.detection",
     "pilot_step": "simulation.onboard", "PilotOutput": "simulation.onboard",
     "telemetry_of": "simulation.onboard",
-    "CompiledPilot": "scenario.avionics", "PilotContext": "scenario.user.pilots",
+    "CompiledPilot": "scenario.avionics", "PilotContext": "scenario.user.builders",
     "check_pilot": "studies.pilot_check", "Finding": "studies.pilot_check",
     "Scenario": "scenario.scenario", "read_scenario": "scenario.files",
     "fly": "results.flight", "Flight": "results.flight", "load": "results.saved",

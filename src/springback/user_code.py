@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Annotated, Any
 
-from pydantic import AfterValidator, Field, PlainValidator
+from pydantic import AfterValidator, BeforeValidator, Field, PlainValidator
 
 from springback.errors import shown_value
 from springback.quantities import si_number
@@ -52,3 +52,12 @@ class UserCode(Settings):
     """``FILE.py:NAME`` of the code, or of a function that returns it."""
     parameters: Arguments = Field(default_factory=dict)
     """Arguments of that function, in SI."""
+
+
+def _code_table(given: Any) -> Any:
+    """The table of code that is named without parameters."""
+    return {"code": _code_name(given)} if isinstance(given, str) else given
+
+
+#: Code of the user's own: a table, or its name alone if it has no parameters.
+NamedCode = Annotated[UserCode, BeforeValidator(_code_table)]

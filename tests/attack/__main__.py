@@ -30,8 +30,9 @@ from attack.table import Row
 from builders.campaign_folders import filled
 from builders.plans import THROW, plan
 from springback.campaign import manifest, store
-from springback.campaign.access import Campaign, check_conditions
+from springback.campaign.access import Campaign
 from springback.campaign.design.layout import lay_out
+from springback.campaign.plan_check import check_conditions
 from springback.errors import InputError
 from springback.interfaces.reports.flight_files import write_flight
 from springback.results.flight import fly

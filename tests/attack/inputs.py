@@ -56,6 +56,28 @@ SCENARIOS: list[dict[str, Any]] = [
     _tables(name) for name in ("arq_wall.toml", "steps.toml", "run_up.toml", "collision.toml")
 ]
 PLAN = _tables("campaign.toml")
+#: A plan with what is the user's own: vehicle file, pilots, estimator, success in words.
+OWN_PLAN: dict[str, Any] = {
+    "method": "random",
+    "samples": 5,
+    "scenario": SCENARIOS[3] | {
+        "estimator": {
+            "type": "own", "code": "own_estimator.py:blend", "parameters": {"place": 0.2},
+        }
+    },
+    "robots": ["arq", str(EXAMPLES / "own_vehicle.toml")],
+    "pilots": [
+        "springback",
+        "own_pilot.py:hover",
+        {"code": "own_pilot_compiled.py:hover", "parameters": {"gain": 2.0}, "name": "mine"},
+    ],
+    "success": ["impact_arm_stroke < 20 mm or no_contact", "touch_speed < 3.5 m/s", "recovered"],
+    "keep": {"where": ["not success", "impact_peak_specific_force > 50 gn"], "most": 3},
+    "vary": [
+        {"field": "estimator.parameters.place", "from": 0.1, "to": 0.3},
+        {"field": "recovery.settling.speed", "normal": {"mean": 0.3, "deviation": "0.01 m/s"}},
+    ],
+}  # fmt: skip
 
 
 def _dumped(tables: dict[str, Any]) -> dict[str, Any]:
@@ -85,7 +107,7 @@ WHOLE: list[dict[str, Any]] = [_dumped(tables) for tables in SCENARIOS]
 PATHS = sorted({path for tables in (*WHOLE, *SCENARIOS) for path in paths_of(tables)}, key=str)
 PLAN_PATHS = sorted({("vary", 0, key) for key in (
     "field", "name", "from", "to", "count", "step", "spacing", "values", "normal", "factor",
-)} | set(paths_of(PLAN)), key=str)  # fmt: skip
+)} | set(paths_of(PLAN)) | set(paths_of(OWN_PLAN)), key=str)  # fmt: skip
 
 numbers_with_units = st.builds(
     "{}{}{}".format,
@@ -196,8 +218,10 @@ def _short(value: Any) -> str:
 
 @st.composite
 def plans(draw: st.DrawFn) -> dict[str, Any]:
-    """The example of a plan with up to three values changed; its scenario has been read in."""
-    tables = PLAN | {"scenario": draw(st.sampled_from([SCENARIOS[0], WHOLE[0]])), "samples": 5}
+    """The example of a plan, or one of the user's own, with up to three values changed."""
+    own = draw(st.booleans())
+    scenario = OWN_PLAN["scenario"] if own else draw(st.sampled_from([SCENARIOS[2], WHOLE[2]]))
+    tables = (OWN_PLAN if own else PLAN) | {"scenario": scenario, "samples": 5}
     if tables["method"] == "grid":
         del tables["samples"]
     for _ in range(draw(st.integers(1, 3))):
@@ -274,5 +298,6 @@ def plan_tables(tables: dict[str, Any]) -> None:
     plan = plan_from(tables, Source("plan.toml", "", ()))
     design = lay_out(plan)
     plan.digest()
+    assert isinstance(design.success + design.keep_condition, str)  # conditions in words are read
     dealt = design.slice(0, min(4, design.flights))
     assert len(dealt.tables) == min(4, design.flights)

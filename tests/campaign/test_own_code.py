@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import shutil
 from pathlib import Path
 from typing import Any
@@ -10,7 +11,9 @@ import pytest
 
 import springback
 from builders.cases import nonempty
+from builders.user_pilots import before_a_wall, pilot_file
 from springback.campaign.access import Campaign
+from springback.campaign.analysis.statistics import summary
 from springback.campaign.cost_estimate import cost_estimate
 from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import Plan, read_plan
@@ -188,6 +191,28 @@ def test_a_pilot_that_fails_ends_its_own_row(folder: Path) -> None:
     assert "mine.py:15: RuntimeError: too far ahead, at 0 s" in rows.as_dicts()[4]["problem"]
 
 
+def test_a_pilot_that_fails_in_flight_4711_ends_that_row_and_no_other(folder: Path) -> None:
+    (folder / "fails.py").write_text(
+        "def pilot(context, number):\n"
+        "    def hover(time, measurement, memory):\n"
+        "        if number == 4711 and time > 0.005:\n"
+        "            raise ValueError('as asked')\n"
+        "        return [3.0] * 4, memory\n"
+        "    return hover\n"
+    )
+    pilot = {"code": f"{folder}/fails.py:pilot", "parameters": {"number": 0.0}}
+    plan = Plan(
+        scenario={"vehicle": "quad", "pilot": pilot, "simulation": {"duration": 0.01}},
+        method="grid",
+        vary=({"field": "pilot.parameters.number", "from": 0.0, "to": 4999.0, "count": 5000},),
+    )
+    rows = fly_chunk(plan.canonical(), (4706, 4718)).columns
+    assert rows["flight"] == [*range(4706, 4718)]
+    assert rows["outcome"] == ["no_contact"] * 5 + ["refused"] + ["no_contact"] * 6
+    assert rows["problem"][5] == f"{folder}/fails.py:4: ValueError: as asked, at 0.006 s"
+    assert [*filter(None, rows["problem"])] == [rows["problem"][5]]
+
+
 def test_own_sensing_flies_in_lanes_as_alone(folder: Path) -> None:
     """Built by one pass for all flights, and compiled; alone here in plain Python: the same bits."""
     for name in ("own_detector.py", "own_estimator.py"):
@@ -226,6 +251,129 @@ def test_own_sensing_flies_in_lanes_as_alone(folder: Path) -> None:
         campaign.refly(0)
 
 
+def _guards(folder: Path, **others: Any) -> Plan:
+    """Two parameters of one compiled pilot, and springback's, from 0.3 to 0.65 m/s into a wall."""
+    code = f"{pilot_file(folder)}:guard"
+    reference = {"type": "hold", "position": [0.7, 0.0, 1.0]}
+    given: dict[str, Any] = {
+        "method": "random", "samples": 12, "seed": 3,
+        "scenario": before_a_wall(code, reference=reference),
+        "pilots": [{"code": code, "parameters": {"threshold": x}} for x in (3.0, 8.0)],
+        "vary": ({"field": "start.velocity.0", "from": 0.3, "to": 0.65},),
+        "scatter": {"mass": 0.05},
+    }  # fmt: skip
+    return Plan(**given | others)
+
+
+def test_own_pilots_are_judged_in_lanes_as_alone(folder: Path) -> None:
+    """Eight at a time, compiled; alone in plain Python: verdicts, alarms and parameters the same.
+
+    One that cannot be built is refused, and no other.
+    """
+    pilot = {"code": f"{pilot_file(folder)}:guard", "parameters": {"threshold": 5.0}}
+    plan = Plan(
+        method="random", samples=24, seed=3, scenario=before_a_wall(pilot),
+        vary=(
+            {"field": "pilot.parameters.threshold", "values": [3.0, 4.0, 5.0, 6.0, 8.0, 2e4]},
+            {"field": "start.velocity.0", "from": -0.1, "to": 0.65},
+        ),
+    )  # fmt: skip
+    campaign = run_campaign(plan, folder / "out", workers=1, chunk=24)
+    rows = campaign.query("FROM flights ORDER BY flight").as_dicts()
+    assert {row["outcome"] for row in rows} == {
+        "recovered", "not_settled", "no_contact", "refused",
+    }  # fmt: skip
+    assert len({row["detection_delay"] for row in rows}) > 3
+    flying = [row for row in rows if row["outcome"] != "refused"]
+    for row, tables in zip(rows, lay_out(plan).slice(0, 24).tables, strict=True):
+        assert tables["pilot"]["parameters"]["threshold"] == row["pilot.parameters.threshold"]
+        assert (row["outcome"] == "refused") == (row["pilot.parameters.threshold"] == 2e4)
+        if row["outcome"] == "refused":
+            assert "ValueError: a threshold of 20000" in row["problem"]
+            continue
+        flight = springback.fly(tables, executor="python")
+        assert flight.outcome.word == row["outcome"]
+        for name, value in nonempty(flight.measures.items()):
+            assert row[name] == value, name
+    assert not campaign.refly(rows.index(flying[-1])).differences
+
+
+def test_pilots_of_a_plan_are_compared_pair_by_pair(folder: Path) -> None:
+    """In a random design, with the same samples, scatter and noise for each of them."""
+    campaign = run_campaign(_guards(folder), folder / "out", workers=1)
+    names = ["quad with guard threshold 3", "quad with guard threshold 8"]
+    rows = campaign.query("FROM flights ORDER BY flight").as_dicts()
+    assert [row["robot"] for row in rows] == names * 12
+    for first, second in nonempty(zip(rows[::2], rows[1::2], strict=True)):
+        for shared in ("sample", "seed", "start.velocity[0]", "scatter_mass_factor", "touch_time"):
+            assert first[shared] == second[shared], shared
+        assert first["detection_delay"] < second["detection_delay"]
+    assert len({row["seed"] for row in rows}) == 12
+    [pair] = summary(campaign).pairs
+    assert (pair.robots, pair.pairs) == (tuple(names), 12)
+    count, median = pair.medians["detection_delay"]
+    assert count == 12
+    assert median.value is not None
+    assert median.value < 0.0
+    assert not campaign.refly(23).differences
+
+
+def test_each_vehicle_flies_with_each_pilot(folder: Path) -> None:
+    pilot_file(folder)
+    (folder / "flight.toml").write_text(
+        'vehicle = "arq"\n[reference]\ntype = "hold"\n[recovery]\nhome = [0, 0, 1]\n'
+    )
+    (folder / "plan.toml").write_text(
+        'method = "sobol"\nsamples = 4\nscenario = "flight.toml"\nrobots = ["arq", "heavy.toml"]\n'
+        'pilots = ["springback", "guards.py:mute", { code = "guards.py:guard", name = "mine" }]\n'
+        '[[vary]]\nfield = "world.gravity"\nfrom = 9.7\nto = 9.9\n'
+    )
+    design = lay_out(_plan(folder))
+    assert design.robots == (
+        "arq with springback", "arq with mute", "arq with mine",
+        "heavy with springback", "heavy with mute", "heavy with mine",
+    )  # fmt: skip
+    tables = design.slice(0, 6).tables
+    assert [("pilot" in one, one["vehicle"].get("name")) for one in tables[::3]] == [
+        (False, None), (False, "heavy"),
+    ]  # fmt: skip
+    assert [one["pilot"]["code"] for one in tables[1:3]] == [
+        f"{folder}/guards.py:mute", f"{folder}/guards.py:guard",
+    ]  # fmt: skip
+    assert len({one["world"]["gravity"] for one in tables}) == 1
+    assert len({one["seed"] for one in tables}) == 1
+    assert [*design.code] == [str(folder / "guards.py")]
+    try_code(design)
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"pilots": ["springback"]}, r"pilots\[0\]: springback's pilot needs a \[reference\]"),
+        ({"pilots": ["nix"]}, r"pilots\[0\].code: must be FILE.py:NAME \(got 'nix'\)"),
+        ({"pilots": [{"parameters": {"a": 1}}]}, r"pilots\[0\].parameters: belong to a pilot of"),
+        (
+            {"pilots": ["mine.py:hover", "guards.py:hover"]},
+            r"pilots\[1\].name: is that of another pilot, 'hover'; give another",
+        ),
+        ({"pilots": ["none.py:hover"]}, r"none.py: there is no such file"),
+        ({"vary": [{"field": "pilot", "values": ["mine.py:hover"]}]}, "name pilots under pilots"),
+        (
+            {"pilots": [{"code": "guards.py:guard", "parameters": {"threshold": 1}},
+                        "guards.py:mute"],
+             "vary": [{"field": "pilot.parameters.threshold", "from": 1, "to": 2, "count": 2}]},
+            r"vary\[0\].field: unknown parameter 'threshold'; the code is given none",
+        ),
+    ],
+)  # fmt: skip
+def test_pilots_that_are_none_are_refused(folder: Path, changes: dict[str, Any], said: str) -> None:
+    pilot_file(folder)
+    given = {"method": "grid", "scenario": str(folder / "flight.toml"), **changes}
+    with pytest.raises(InputError, match=said), contextlib.chdir(folder):
+        run_campaign(Plan(**given), folder / "out")
+    assert not (folder / "out").exists()
+
+
 @pytest.mark.parametrize(
     ("robots", "said"),
     [
@@ -258,6 +406,11 @@ def test_a_map_takes_vehicle_files_and_pilots(folder: Path) -> None:
     ]).design  # fmt: skip
     try_code(own)
     assert {Path(path).name for path in own.code} == {"own_detector.py", "own_estimator.py"}
+    settings = [f"pilot={pilot_file(folder)}:guard", "pilot.parameters={ threshold = 5.0 }"]
+    over = plan_envelope("pilot.parameters.threshold=2:8:3", "speed=2:3:2", settings=settings)
+    pilots = [over.tables(over.flight(sample, 0))["pilot"] for sample in (0, 2, 4)]
+    assert [pilot["parameters"]["threshold"] for pilot in pilots] == [2.0, 5.0, 8.0]
+    assert {pilot["code"] for pilot in pilots} == {f"{folder}/guards.py:guard"}
     with pytest.raises(InputError, match=r"mine.py: has no 'nix'"):
         plan_envelope("speed=2:3:2", settings=[f"pilot={folder}/mine.py:nix"])
     with pytest.raises(InputError, match=r"none.toml: cannot be read"):

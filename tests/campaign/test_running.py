@@ -246,15 +246,20 @@ def test_an_outlook_counts_and_measures(tmp_path: Path) -> None:
 
 def test_an_estimate_says_what_compiling_and_other_work_cost() -> None:
     known = CostEstimate(
-        1000, 500, 1, ("arq", "quad"), 2, 64, 0, "", 1, False, True, 3.0, 10.0, 2, 2, 4.0, 53.0,
-        153.0, 1000,
+        1000, 500, 1, ("arq", "quad"), 2, 64, 0, "", 1, False, True, 3.0, 62.0, True, 10.0, 2, 2,
+        4.0, 53.0, 153.0, 1000,
     )  # fmt: skip
-    assert "kernels: compiled before; each worker loads them, in about 3 s" in known.sentence()
+    before = "kernels: compiled before, in 1 min 02 s of processor time; each worker loads them, in"
+    assert f"{before} about 3 s" in known.sentence()
+    assert "compiled before; each worker" in replace(known, recorded=False).sentence()
     assert "about 53 s with 2 workers on an idle machine of 2 cores" in known.sentence()
-    assert "about 2 min 33 s if other work goes on: the load is now 4.0" in known.sentence()
-    new = replace(known, compiled=True, setup=70.0, loaded_time=54.0)
-    assert "have just been compiled in 1 min 10 s; they are cached now" in new.sentence()
-    assert "other work" not in new.sentence()
+    assert "load: 4.0 other processes now; if they go on, about 2 min 33 s" in known.sentence()
+    new = replace(known, compiled=True, setup=70.0, loaded_time=54.0, load=0.2)
+    said = (
+        "have just been compiled in 1 min 10 s (1 min 02 s of processor time); they are cached now"
+    )
+    assert said in new.sentence()
+    assert "load: 0.2 other processes now, which hardly matters" in new.sentence()
     assert "each worker compiles them" in replace(new, cached=False).sentence()
 
 

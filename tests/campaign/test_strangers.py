@@ -16,9 +16,10 @@ from attack.damage import one_byte
 from builders.campaign_folders import filled, rows
 from builders.plans import plan
 from springback.campaign import manifest, store
-from springback.campaign.access import Campaign, check_conditions
+from springback.campaign.access import Campaign
 from springback.campaign.design.layout import lay_out
 from springback.campaign.manifest import Part
+from springback.campaign.plan_check import check_conditions
 from springback.campaign.store import open_store
 from springback.errors import InputError
 from springback.files import atomic_file

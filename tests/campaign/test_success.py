@@ -8,9 +8,10 @@ import pytest
 
 from builders.campaign_folders import filled
 from builders.plans import plan
-from springback.campaign.access import Campaign, check_conditions
+from springback.campaign.access import Campaign
 from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import read_plan
+from springback.campaign.plan_check import check_conditions
 from springback.errors import InputError
 
 

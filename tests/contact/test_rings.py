@@ -68,11 +68,18 @@ def turn(chance: np.random.Generator) -> Mat3:
 def ring_at(shape: Any, centre: Vec, r: Mat3) -> tuple[float, float]:
     """Gaps of the two nearest points of a ring about a centre, in a plane turned by r."""
     pose = ArmPose(Vec(1.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0))
-    gaps = []
-    for wrapped in (shape, SecondContact(shape)):
-        there = obstacle_in_body_frame(Obstacle(wrapped, None, 0.0), centre, r)  # type: ignore[arg-type]
-        gaps.append(nearest_face(there.shape, EXACT, RADIUS, pose).gap)
-    return gaps[0], gaps[1]
+    there = obstacle_in_body_frame(Obstacle(shape, None, 0.0), centre, r)  # type: ignore[arg-type]
+    if isinstance(shape, Plane):
+        return nearest_face(there.shape, EXACT, RADIUS, pose).gap, FAR
+    found = lowest_on_ring(there.shape, pose.lever, RADIUS, pose.direction)
+    first = nearest_face(there.shape, EXACT, RADIUS, pose).gap
+    assert first == found.first.gap
+    second = obstacle_in_body_frame(Obstacle(SecondContact(shape), None, 0.0), centre, r)  # type: ignore[arg-type]
+    less = found.saddle.gap if found.saddle.gap < 0.0 else 0.0
+    assert nearest_face(second.shape, EXACT, RADIUS, pose).gap == pytest.approx(
+        min(found.second.gap - less, 0.0) if less < 0.0 else found.second.gap, abs=1e-15
+    )
+    return first, found.second.gap
 
 
 def touching_at(point: Vec, r: Mat3, chance: np.random.Generator) -> Vec:
@@ -257,7 +264,11 @@ def counted_normal(shape: Counted, point: Vec) -> Vec:
 
 
 def test_a_search_asks_a_shape_less_often_than_golden_sections_did() -> None:
-    """Which took 93 questions for one contact; for both, 200 rings that touch poles take 79 in the mean."""
+    """Which took 93 questions for one contact; for both, 200 rings that touch poles take 85 in the mean.
+
+    Two more than before for each point: the normals on both sides of it, for its mean (there were 79,
+    and the bound was 85).
+    """
     chance, asked = np.random.default_rng(10), list[int]()
     for _ in range(200):
         r, radius = turn(chance), float(chance.choice(POLES))
@@ -268,7 +279,7 @@ def test_a_search_asks_a_shape_less_often_than_golden_sections_did() -> None:
         )
         asked.append(len(shape.asked))
     assert len(asked) == 200
-    assert np.mean(asked) < 85
+    assert np.mean(asked) < 90
     assert max(asked) < 1 + 2 + ARCS * (STEPS + 2) + 4 * TRIES
 
 
@@ -403,3 +414,30 @@ def test_a_flight_into_a_thin_pole_closes_its_ledger() -> None:
     assert flight.measures["contacts"] is not None
     assert flight.measures["contacts"] >= 1.0
     assert abs(flight.measures["ledger_residual"] or 0.0) < 1e-6
+
+
+def test_the_gap_of_a_second_contact_has_the_rate_that_its_force_works_at() -> None:
+    """Minus the saddle's height where the ring is inside between both points: against differences."""
+    chance, inside, tiny = np.random.default_rng(12), 0, 1e-7
+
+    def second(centre: Vec, r: Mat3) -> Any:
+        pose = ArmPose(Vec(1.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0))
+        there = obstacle_in_body_frame(Obstacle(SecondContact(BOX), None, 0.0), centre, r)  # type: ignore[arg-type]
+        return nearest_face(there.shape, EXACT, RADIUS, pose)
+
+    for _ in range(3000):
+        r = turn(chance)
+        centre = Vec(*map(float, chance.uniform(-1.3, 1.3, size=3) * 0.2))
+        face = second(centre, r)
+        if not -0.05 < face.gap < -1e-4 or face.saddle_inward @ face.saddle_inward == 0.0:
+            continue
+        move = chance.normal(size=3)
+        v = Vec(*map(float, move / np.linalg.norm(move)))
+        ahead, behind = (second(centre + v * (s * tiny), r).gap for s in (1.0, -1.0))
+        in_body = v @ r
+        rate = -face.steepness * (in_body @ face.inward) + in_body @ face.saddle_inward
+        if abs(ahead - 2.0 * face.gap + behind) > 1e-10:  # another point or saddle takes over
+            continue
+        inside += 1
+        assert (ahead - behind) / (2.0 * tiny) == pytest.approx(rate, abs=2e-5)
+    assert inside > 30

@@ -12,6 +12,7 @@ import pytest
 from builders.cases import nonempty
 from springback.contact.cage import ArmTip, Ring
 from springback.control.demands import Limits
+from springback.control.position import heading
 from springback.control.reference_parameters import RunUpSettings
 from springback.control.runup import RunUp, RunUpContact, reach, run_up
 from springback.control.target import target
@@ -19,6 +20,7 @@ from springback.errors import InputError
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Vec
 from springback.vehicle.library import ARQ, QUAD
+from springback.vehicle.state import arm_direction
 
 #: Pitch at contact [deg] and speed [m/s], section Impact Resilience.
 CONDITIONS = [(0, 2.0), (0, 3.5), (-45, 2.0), (-30, 2.0), (-15, 2.0), (15, 2.0), (30, 2.0)]
@@ -123,6 +125,39 @@ def test_reach_of_both_contact_models() -> None:
         tip = (0.19 + 0.11) * math.sqrt(0.5) * math.cos(angle)
         assert reach(airframe, EXACT, angle) == pytest.approx(ring, abs=1e-12)
         assert reach(airframe, ArmTip(0.0), angle) == pytest.approx(tip, abs=1e-12)
+
+
+@pytest.mark.parametrize("yaw", [0.0, 0.4, -math.pi / 4, 1.5, 3.0])
+def test_reach_at_a_yaw_is_that_of_the_attitude_commanded_there(yaw: float) -> None:
+    """The foremost point of circles that are turned, sampled, against the support in body axes."""
+    left, *others = ROBOTS["arq"].airframe().arms
+    airframe = ROBOTS["arq"].airframe()._replace(arms=(left._replace(length=0.3), *others))
+    for pitch in (-0.7, 0.0, 0.5):
+        tilt = Vec(math.sin(pitch), 0.0, math.cos(pitch))
+        ahead = heading(tilt, yaw).axes.x  # world X in body axes
+        rim = [
+            arm.length * arm_direction(arm)
+            + arm.cage_radius * Vec(math.cos(angle), math.sin(angle), 0.0)
+            for arm in airframe.arms
+            for angle in np.linspace(-math.pi, math.pi, 20_001)
+        ]
+        assert reach(airframe, EXACT, pitch, yaw) == pytest.approx(
+            max(ahead @ point for point in rim), abs=1e-8
+        )
+
+
+@pytest.mark.parametrize("yaw", [0.0, math.pi / 4])
+def test_a_yaw_is_held_all_along_and_meets_the_wall_with_what_is_foremost_then(yaw: float) -> None:
+    airframe = ROBOTS["arq"].airframe()
+    settings = RunUpSettings(type="run-up", speed=2.0, yaw=yaw)
+    run = settings.run_up(limits("arq"), lambda angle: reach(airframe, EXACT, angle, yaw))
+    front = 0.19 * math.cos(math.pi / 4 - yaw) + 0.11  # one arm straight ahead, or two beside it
+    assert run.contact_position.x == pytest.approx(2.75 - front, abs=1e-12)
+    for time in (0.0, run.contact_time, run.contact_time + 0.2, 100.0):
+        assert target(run.reference, time).yaw == yaw
+    assert run.largest_tilt == pytest.approx(
+        made("arq", 0, 2.0).largest_tilt, rel=0.1
+    )  # the way is a little shorter
 
 
 def test_any_heading_is_the_same_run_up() -> None:

@@ -9,7 +9,10 @@ import pytest
 from builders.cases import nonempty
 from springback.kernels.angles import angle_of, floor, nearest_integer, sine_cosine
 from springback.kernels.bits import bits_of, float_of
+from springback.kernels.compiler import STRICT, kernel
 from springback.kernels.exponentials import exponential, logarithm
+from springback.kernels.trees import replace
+from springback.kernels.vectors import Vec
 
 LUCK = np.random.default_rng(0)
 ANGLES = [*LUCK.uniform(-20.0, 20.0, 3000), *LUCK.normal(0.0, 1e-3, 500), 0.0, math.pi, 1e5]
@@ -59,3 +62,26 @@ def test_compiled_they_give_the_same_bits() -> None:
     for x in nonempty(ANGLES[:3000]):
         both = sine_cosine(x)
         assert compiled(x) == (both.sine, both.cosine, angle_of(x, 0.3), exponential(x))
+
+
+@kernel
+def moved(v: Vec) -> Vec:
+    here = replace(v, z=v.x + 3.0)
+    there = replace(here, x=here.z + 10.0)
+    return replace(there, y=there.x * 2.0, z=there.y + 0.5)
+
+
+@kernel
+def moved_back(v: Vec) -> Vec:
+    return replace(v, z=v.z - 0.5, y=v.y)
+
+
+def test_a_field_is_replaced_by_its_name() -> None:
+    """Was: of two calls with the same types in one kernel, both replaced the field of the later."""
+
+    def entry(v: Vec) -> Vec:
+        return moved_back(moved(v))
+
+    expected = Vec(14.0, 28.0, 2.0)
+    assert entry(Vec(1.0, 2.0, 3.0)) == expected
+    assert numba.njit(**STRICT)(entry)(Vec(1.0, 2.0, 3.0)) == expected

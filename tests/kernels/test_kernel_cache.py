@@ -7,12 +7,14 @@ import os
 import pickle
 import subprocess
 import sys
+import time
 import warnings
 from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
+from filelock import FileLock
 
 from builders.missing import needs
 from springback.errors import CacheWarning
@@ -46,7 +48,7 @@ def loaded(entry: Any) -> bool:
 def kept(tmp_path: Path) -> Path:
     """The file of a kept kernel."""
     assert started(tmp_path)(1.5) == 3.0
-    [path] = tmp_path.iterdir()
+    [path] = tmp_path.glob("*.kernel")
     return path
 
 
@@ -151,19 +153,88 @@ def test_kernels_of_other_types_stay_apart_and_both_are_kept(tmp_path: Path) -> 
         warnings.simplefilter("error")
         assert (again(1.5), again(3)) == (3.0, 6.0)
     assert sum(again.stats.cache_hits.values()) == 2
-    assert len(list(tmp_path.iterdir())) == 2
+    assert len(list(tmp_path.glob("*.kernel"))) == 2
 
 
 def test_a_kernel_under_anothers_name_is_not_taken_for_it(tmp_path: Path) -> None:
     entry = started(tmp_path)
     entry(1.5)
-    [of_float] = tmp_path.iterdir()
+    [of_float] = tmp_path.glob("*.kernel")
     entry(3)
-    [of_int] = set(tmp_path.iterdir()) - {of_float}
+    [of_int] = set(tmp_path.glob("*.kernel")) - {of_float}
     of_float.write_bytes(of_int.read_bytes())
     again = started(tmp_path)
     assert again(1.5) == 3.0
     assert not loaded(again)
+
+
+# -- one process compiles, others wait ------------------------------------------------------------
+
+#: Compiles an entry point once all processes are ready, and says whether it was kept already; the
+#: compiler takes a second longer than it would.
+WAITING = """
+import sys, time
+from pathlib import Path
+from springback.kernels.compiler import STRICT, _entry
+def halved(x):
+    return 0.5 * x
+folder, me, others = Path(sys.argv[1]), sys.argv[2], sys.argv[3:]
+entry = _entry(halved, folder / "kernels", STRICT)
+compiling = entry._compiler.compile
+def slowly(*signature):
+    (folder / f"{me} compiles").touch()
+    time.sleep(float(sys.stdin.readline()))
+    return compiling(*signature)
+entry._compiler.compile = slowly
+(folder / me).touch()
+while not all((folder / other).exists() for other in others):
+    time.sleep(0.005)
+assert entry(3.0) == 1.5
+print(sum(entry.stats.cache_hits.values()), sum(entry.stats.cache_misses.values()))
+"""
+
+
+def waiting(folder: Path, me: str, *others: str, takes: float = 1.0) -> subprocess.Popen[str]:
+    done = subprocess.Popen(
+        [sys.executable, "-c", WAITING, str(folder), me, *others],
+        stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+    )  # fmt: skip
+    assert done.stdin is not None
+    done.stdin.write(f"{takes}\n")
+    done.stdin.flush()
+    return done
+
+
+def test_of_two_processes_that_need_a_kernel_one_compiles_it(tmp_path: Path) -> None:
+    """Was: both did, side by side."""
+    both = [waiting(tmp_path, "a", "b"), waiting(tmp_path, "b", "a")]
+    assert sorted(one.communicate(timeout=100)[0] for one in both) == ["0 1\n", "1 0\n"]
+    assert len(list(tmp_path.glob("* compiles"))) == 1
+
+
+def test_a_process_that_is_killed_while_it_compiles_holds_no_one_up(tmp_path: Path) -> None:
+    killed = waiting(tmp_path, "a", takes=1000.0)
+    while not (tmp_path / "a compiles").exists():
+        assert killed.poll() is None
+        time.sleep(0.01)
+    second = waiting(tmp_path, "b", takes=0.0)
+    time.sleep(0.5)
+    killed.kill()
+    killed.communicate()
+    assert second.communicate(timeout=100)[0] == "0 1\n"
+
+
+def test_a_kernel_that_cannot_be_compiled_is_not_left_locked(tmp_path: Path) -> None:
+    def nonsense(x: float) -> Any:
+        return x.no_such_thing  # type: ignore[attr-defined]
+
+    entry = started(tmp_path, nonsense)
+    for _ in range(2):
+        with pytest.raises(compiler.CompilerError):
+            entry(1.5)
+    [lock] = tmp_path.glob(".*.lock")
+    with FileLock(lock, timeout=0):
+        assert entry._cache._locks == []
 
 
 # -- kernels of a GPU, which need none to be written ----------------------------------------------

@@ -12,7 +12,7 @@ from springback.recovery.evaluator import NOT_YET, EvaluatorMemory, between_runs
 from springback.recovery.parameters import RecoverySettings
 from springback.recovery.pilot import RecoveryPilotMemory
 from springback.recovery.state_machine import CRUISE, LOOK, RECOVER, RETURN
-from springback.simulation.onboard import evaluator_step
+from springback.simulation.onboard import AlarmReport, UserPilotMemory, evaluator_step
 from springback.simulation.record import Contacts, blank_record
 from springback.vehicle.state import State
 
@@ -53,11 +53,24 @@ def seen(
 
 
 def seen_alone(
-    memory: EvaluatorMemory, time: float, now: State, touch: Contacts, thought: None
+    memory: EvaluatorMemory,
+    time: float,
+    now: State,
+    touch: Contacts,
+    thought: UserPilotMemory | None,
 ) -> EvaluatorMemory:
     """What the referee of a pilot of the user's own has seen after a tick."""
-    after: EvaluatorMemory = evaluator_step(BY_MOTION, time, now, touch, thought, memory)
+    said = thought or reporting(NOT_YET)
+    after: EvaluatorMemory = evaluator_step(BY_MOTION, time, now, touch, said, memory)
+    if memory.open == 0.0 and touch.total == memory.contacts:
+        raised = said.report.raised
+        assert between_runs(time, now.position, raised, touch, memory) == after
     return after
+
+
+def reporting(raised: float) -> UserPilotMemory:
+    """Memory of a pilot of the user's own that raised its last alarm at some time."""
+    return UserPilotMemory(0.0, AlarmReport(0.0, raised))
 
 
 class Story:
@@ -203,3 +216,18 @@ def test_its_touch_before_rest_is_of_the_same_run_and_a_later_one_is_not() -> No
         story.goes_on(0.05, state(2.4))
         assert (story.memory.runs, story.memory.recovered) == (k + 1.0, k + 1.0)
         assert story.memory.run.contacts == 2.0
+
+
+def test_its_alarm_belongs_to_the_touch_before_it_and_is_false_without_one() -> None:
+    story = Story(seen_alone)
+    story.goes_on(0.5, state(2.0, speed=2.0), reporting(0.2))
+    assert (story.memory.false_alarms, story.memory.run.alarm) == (1.0, NOT_YET)
+    story.goes_on(0.03, state(2.5), reporting(0.2), touching=True)
+    assert (story.memory.false_alarms, story.memory.run.alarm) == (1.0, NOT_YET)
+    for raised in (0.52, 0.55, 0.66):  # the first one counts; none is false before it rests
+        story.goes_on(0.05, state(2.4), reporting(raised))
+        assert (story.memory.false_alarms, story.memory.run.alarm) == (1.0, 0.52)
+    story.goes_on(1.0, state(2.4), reporting(0.55))
+    assert story.memory.recovered == 1.0
+    story.goes_on(0.1, state(2.4), reporting(1.64))
+    assert (story.memory.false_alarms, story.memory.run.alarm) == (2.0, 0.52)

@@ -113,7 +113,7 @@ def test_a_shape_of_ones_own_is_a_wall_like_ours(folder: Path) -> None:
 def test_reading_runs_nothing(folder: Path) -> None:
     path = _file(folder, 'pilot = "mine.py:share"')
     scenario = read_scenario(path)
-    assert scenario.pilot == f"{folder}/mine.py:share"
+    assert scenario.code == [("pilot", f"{folder}/mine.py:share")]
     assert not (folder / "ran").exists()
     springback.fly(path)
     assert (folder / "ran").exists()

@@ -195,8 +195,15 @@ def test_a_run_up_begins_where_the_vehicle_does_unless_it_has_a_start_of_its_own
 
 
 def test_a_run_up_turns_away_from_a_yaw_at_the_start_and_says_so() -> None:
-    assert "start.yaw is 45 deg" in scenario_warnings(as_scenario(RUN_UP, ("start.yaw=45deg",)))[0]
+    turned = as_scenario(RUN_UP, ("start.yaw=45deg",))
+    [said] = scenario_warnings(turned)
+    assert "start.yaw is 45 deg, and the run-up turns the vehicle to 0 deg on its way" in said
     assert scenario_warnings(as_scenario(RUN_UP, ("start.yaw=5deg",))) == []
+    both = ("start.yaw=-175deg", "reference.yaw=180deg")
+    assert scenario_warnings(as_scenario(RUN_UP, both)) == []
+    assert scenario_warnings(as_scenario(RUN_UP, both[1:]))
+    same = ("start.yaw=45deg", "reference.yaw=45deg")
+    assert scenario_warnings(as_scenario(RUN_UP, same)) == []
 
 
 def test_an_offset_moves_the_vehicle_and_not_its_run_up() -> None:

@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 import springback
+from builders.user_pilots import SHARE, before_a_wall, pilot_file
 from springback.errors import CommandWarning, InputError
 from springback.scenario.user.pilots import read_pilot
 from springback.simulation.flight import BEGUN, sources
@@ -258,6 +259,146 @@ def test_kernels_are_kept_only_for_files_that_stand(tmp_path: Path) -> None:
     assert {str(tmp_path / "gains_of_mine.py"), str(path)} <= set(files.files)
     os.utime(tmp_path / "gains_of_mine.py", (time.time() + 5.0, time.time() + 5.0))
     assert sources(types) is None
+
+
+# -- parameters, and a detector within ------------------------------------------------------------
+
+
+def guarded(folder: Path, name: str, **parameters: Any) -> springback.Flight:
+    pilot = {"code": f"{pilot_file(folder)}:{name}", "parameters": parameters}
+    return springback.fly(before_a_wall(pilot), executor="python")
+
+
+@pytest.fixture
+def trusted(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.setenv("SPRINGBACK_TRUST", str(tmp_path))
+    return tmp_path
+
+
+@pytest.mark.parametrize("name", ["guard", "plain_guard"])
+def test_parameters_reach_the_function_that_builds_a_pilot(trusted: Path, name: str) -> None:
+    """Numbers, and three of them as a vector; a plain pilot and a compiled one alike."""
+    flight = guarded(trusted, name, threshold=4.0, offset=[0.0, 0.0, 0.25])
+    assert flight.telemetry["command1"] == pytest.approx(1.25 * SHARE)
+    early, late = (guarded(trusted, name, threshold=x).detection_delay for x in (1.0, 8.0))
+    assert early is not None
+    assert late is not None
+    assert 0.0 < early < late < 0.02
+    assert guarded(trusted, name, threshold=1e3).detection_delay is None
+
+
+def test_both_forms_report_the_same_alarms(trusted: Path) -> None:
+    """At the tick at which they say so: in telemetry, in the replay's events and in measures."""
+    plain, compiled = (guarded(trusted, name, threshold=4.0) for name in ("plain_guard", "guard"))
+    for flight in (plain, compiled):
+        reported = flight.telemetry["alarm"]
+        felt = flight.telemetry["imu_ax"] < -4.0
+        assert np.array_equal(reported, felt.astype(float))
+        assert 0.0 < reported.mean() < 1.0
+        [event, *_] = [event for event in flight.events if event.kind == "alarm"]
+        assert event.text == "your pilot reports a collision"
+        assert event.t == flight.telemetry["t"][felt.argmax()]
+        assert flight.alarm_time == event.t
+        assert flight.detection_delay == pytest.approx(event.t - flight.touch_time, abs=1e-12)
+        assert (flight.false_alarms, flight.position_error, flight.hall_delay) == (0.0, None, None)
+    assert plain.measures == compiled.measures
+    for name, values in plain.telemetry.items():
+        assert np.array_equal(values, compiled.telemetry[name]), name
+
+
+def test_an_alarm_in_free_flight_is_false(trusted: Path) -> None:
+    pilot = f"{pilot_file(trusted)}:guard"
+    given = before_a_wall({"code": pilot, "parameters": {"threshold": -1.0}})  # at any time
+    given["start"]["position"] = [0.74, 0.0, 1.0]  # touches after 40 ms
+    flight = springback.fly(given, executor="python")
+    assert (flight.false_alarms, flight.alarm_time) == (1.0, None)
+    silent = springback.fly(before_a_wall(f"{pilot_file(trusted)}:mute"), executor="python")
+    assert (silent.false_alarms, silent.alarm_time) == (0.0, None)
+    assert not silent.telemetry["alarm"].any()
+
+
+def test_the_short_form_the_table_and_an_override_are_one(trusted: Path) -> None:
+    path = trusted / "flight.toml"
+    pilot_file(trusted)
+    path.write_text('vehicle = "quad"\npilot = "guards.py:guard"\n')
+    short = springback.read_scenario(path)
+    path.write_text('vehicle = "quad"\n[pilot]\ncode = "guards.py:guard"\n')
+    assert springback.read_scenario(path).pilot == short.pilot
+    changed = springback.read_scenario(path, ["pilot.parameters.threshold=7"]).pilot
+    path.write_text('vehicle = "quad"\npilot = "guards.py:guard"\n')
+    assert springback.read_scenario(path, ["pilot.parameters.threshold=7"]).pilot == changed
+    assert changed is not None
+    assert (changed.code, changed.parameters) == (f"{trusted}/guards.py:guard", {"threshold": 7.0})
+    other = springback.read_scenario(path, [f"pilot={trusted}/guards.py:mute"]).pilot
+    assert other is not None
+    assert (other.code, other.parameters) == (f"{trusted}/guards.py:mute", {})
+    again = springback.Scenario(**short.model_dump(mode="json"))  # as in a result folder
+    assert again.pilot == short.pilot
+
+
+def test_a_pilot_given_to_fly_has_no_parameters_of_the_scenarios(trusted: Path) -> None:
+    named = {"code": f"{pilot_file(trusted)}:guard", "parameters": {"threshold": 4.0}}
+
+    def other(time: float, measurement: Any, memory: Any) -> tuple[Any, Any]:
+        return (0.5,) * 4, memory
+
+    flight = springback.fly(before_a_wall(named), pilot=other, executor="python")
+    assert set(flight.telemetry["command1"]) == {0.5}
+
+
+@pytest.mark.parametrize(
+    ("pilot", "said"),
+    [
+        ({}, "pilot.code: is missing"),
+        ("guard", r"pilot: must be FILE.py:NAME \(got 'guard'\)"),
+        (3, r"pilot: must be a table \(got 3\)"),
+        ({"code": "guard"}, r"pilot.code: must be FILE.py:NAME \(got 'guard'\)"),
+        ({"code": "FILE:guard", "parameter": {}}, "pilot.parameter: unknown key; did you mean"),
+        ({"code": "FILE:guard", "parameters": {"threshold": "x"}}, "pilot.parameters.threshold: "),
+        (
+            {"code": "FILE:guard", "parameters": {"gain": 1.0}},
+            r"guards.py:\d+: guard does not take a PilotContext, gain \(got an unexpected keyword "
+            r"argument 'gain'\); it must be a function of a PilotContext and its parameters",
+        ),
+        ("FILE:plain_guard", r"plain_guard does not take a PilotContext \(missing a required arg"),
+        (
+            {"code": "FILE:hover", "parameters": {"gain": 1.0}},
+            r"guards.py:\d+: hover does not take a PilotContext, gain \(missing a required",
+        ),
+    ],
+)
+def test_a_bad_table_of_a_pilot_is_refused_in_one_line(
+    trusted: Path, pilot: Any, said: str
+) -> None:
+    file = str(pilot_file(trusted))
+    given = {**pilot} if isinstance(pilot, dict) else pilot
+    if isinstance(given, dict) and "code" in given:
+        given["code"] = given["code"].replace("FILE", file)
+    given = given.replace("FILE", file) if isinstance(given, str) else given
+    with pytest.raises(InputError, match=said) as caught:
+        springback.fly(before_a_wall(given))
+    assert len(caught.value.problems) == 1
+
+
+@pytest.mark.parametrize("alarm", [2.0, "yes", float("nan"), None, np.ones(2)], ids=str)
+def test_an_alarm_is_one_or_zero(alarm: Any) -> None:
+    def loud(time: float, measurement: Any, memory: Any) -> tuple[Any, Any, Any]:
+        return (3.0,) * 4, memory, alarm
+
+    with pytest.raises(InputError, match=r"the pilot must return 1 or 0 as alarm \(got .*, at 0 s"):
+        springback.fly(SHORT, pilot=loud)
+
+
+def test_what_the_compiler_lacks_is_named(trusted: Path) -> None:
+    """Was: Failed in nopython mode pipeline."""
+    path = pilot_file(trusted)
+    path.write_text(path.read_text().replace("(lift, lift, lift, lift)", "(lift,) * 4"))
+    lines = path.read_text().splitlines()
+    [line] = [k for k, text in enumerate(lines, start=1) if "(lift,) * 4" in text]
+    with pytest.raises(InputError) as caught:
+        springback.fly(before_a_wall(f"{path}:guard"))
+    wanted = f"{path}:{line}: cannot be compiled: the compiler has no mul(UniTuple(float64 x 1), "
+    assert str(caught.value).startswith(wanted)
 
 
 # -- the check ------------------------------------------------------------------------------------

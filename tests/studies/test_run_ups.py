@@ -2,11 +2,14 @@
 
 import math
 
+import numpy as np
 import pytest
 
 import springback
 from springback.control.parameters import ControlSettings
+from springback.control.position import heading
 from springback.errors import InputError
+from springback.kernels.vectors import Quat, Vec, rotation
 from springback.studies.run_ups import (
     CONDITIONS,
     Arrival,
@@ -34,6 +37,33 @@ def test_a_run_up_arrives_as_asked(vehicle: str, pitch: float, speed: float) -> 
     assert abs(was.speed_error) < SPEED
     assert abs(was.pitch_error) < PITCH
     assert abs(was.height_error) < 0.03
+
+
+@pytest.mark.parametrize(("pitch", "speed"), [(0.0, 2.0), (-30.0, 2.0)])
+@pytest.mark.parametrize("start", ["45 deg", 0.0])
+def test_a_run_up_meets_the_wall_with_the_yaw_that_it_holds(
+    pitch: float, speed: float, start: str | float
+) -> None:
+    """With one arm straight ahead, which is pressed alone; the recovery keeps the yaw."""
+    scenario = run_up_scenario("arq", pitch, speed, estimator=PERFECT, recovery={})
+    scenario["reference"]["yaw"] = "45 deg"
+    scenario["start"] = {**scenario.get("start", {}), "yaw": start}
+    scenario["simulation"]["duration"] = 6.0
+    flight = springback.fly(scenario)
+    touch = flight.touch_time
+    assert touch is not None
+    k = int(np.searchsorted(flight.t, touch)) - 1
+    at = [flight.columns[f"q{part}"][k] for part in "wxyz"]
+    ahead = rotation(Quat(*map(float, at))).x  # world X in body axes
+    tilt = Vec(math.sin(math.radians(pitch)), 0.0, math.cos(math.radians(pitch)))
+    wanted = heading(tilt, math.pi / 4).axes.x
+    assert math.acos(min(1.0, ahead @ wanted)) < 1.5 * PITCH  # pitch and yaw together
+    assert flight.columns["vx"][k] == pytest.approx(speed, abs=SPEED)
+    forces = [float(flight.columns[f"fn{j}"][: k + 40].max()) for j in (1, 2, 3, 4)]
+    assert [j for j, force in enumerate(forces, start=1) if force > 1.0] == [2]
+    assert flight.outcome is springback.Outcome.RECOVERED
+    w, z = (float(flight.columns[f"q{part}"][-1]) for part in "wz")
+    assert math.degrees(2.0 * math.atan2(z, w)) == pytest.approx(45.0, abs=3.0)
 
 
 @pytest.mark.parametrize("vehicle", ["arq", "quad"])

@@ -107,3 +107,23 @@ def test_a_warning_for_what_can_be_flown_and_is_seldom_meant(
 ) -> None:
     assert check_warnings(scenario()) == []
     assert [line for line in check_warnings(scenario(*overrides)) if word in line]
+
+
+@pytest.mark.parametrize("pitch", [0.0, -0.5])
+def test_a_run_up_meets_the_wall_at_the_yaw_that_it_holds(pitch: float) -> None:
+    """Not at that of the start, from which it turns away."""
+    words = [
+        "reference.type=run-up", "reference.speed=2", "start.position=[0, 0, 1]",
+        "start.velocity=[0, 0, 0]", f"reference.pitch={pitch}",
+    ]  # fmt: skip
+    turned, straight = (
+        approach_to_wall(scenario(*words, *more)) for more in (["reference.yaw=45 deg"], [])
+    )
+    assert turned is not None
+    assert straight is not None
+    assert (turned.arm, turned.speed) == (1, 2.0)
+    assert straight.angle == pytest.approx(math.pi / 4)
+    # Tilted, body x leans back from the wall and body y does not.
+    leaning = math.atan(1.0 / math.cos(pitch)) - math.pi / 4
+    assert turned.angle == pytest.approx(leaning, abs=1e-9)
+    assert turned.along > 0.9 > straight.along

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import functools
 import re
 from collections.abc import Callable, Iterator, Sequence
@@ -14,8 +15,9 @@ import numpy.typing as npt
 
 from springback.campaign import manifest
 from springback.campaign.columns import known_columns
-from springback.campaign.design.layout import Design, lay_out
-from springback.campaign.design.plan import Source
+from springback.campaign.design.dimensions import Dimension
+from springback.campaign.design.distributions import LevelSet
+from springback.campaign.design.layout import Design, lay_out, value_text
 from springback.campaign.store import (
     METADATA,
     empty_rows,
@@ -27,6 +29,7 @@ from springback.campaign.store import (
 from springback.errors import InputError
 from springback.files import atomic_file, json_text, write_atomically
 from springback.results.database import (
+    identifier,
     in_database,
     in_one_line,
     literal,
@@ -50,8 +53,8 @@ T = TypeVar("T")
 Numbers = npt.NDArray[np.float64]
 KEPT = "kept"
 KEPT_NAME = re.compile(r"flight-(\d{10})\.json")
-#: Advice on a condition that is no SQL.
-WITH_UNITS = '; with units, give a list: {} = ["arm_stroke < 20 mm"]'
+#: Most levels of a field that an error lists (chosen).
+MOST_LISTED = 8
 #: Rows of an answer that are read at a time (chosen).
 STRETCH = 1000
 
@@ -85,6 +88,9 @@ class Campaign:
             InputError: If there is no campaign, or parts of it are missing or damaged.
         """
         self.folder = Path(folder)
+        self.conditions: tuple[str, ...] = ()
+        """Conditions in words on the flights that are looked at; see `where`."""
+        self._filters: tuple[str, ...] = ()
         self._counted = False
         self.metadata = read_metadata(self.folder)
         self.parts = manifest.read(self.folder / manifest.NAME)
@@ -116,6 +122,53 @@ class Campaign:
         """True if all flights are stored."""
         return self.done == int(self.metadata["flights"])
 
+    @functools.cached_property
+    def robots(self) -> list[str]:
+        """Names of the robots of these flights, in the order of the plan."""
+        names: list[str] = self.metadata["robots"]
+        if not self._filters:
+            return names
+        found = {robot for (robot,) in self.query("SELECT DISTINCT robot FROM flights").rows}
+        return [name for name in names if name in found]
+
+    def where(self, *conditions: str) -> Campaign:
+        """The flights that satisfy conditions, to be queried, summarised and drawn alone.
+
+        Args:
+            conditions: In words, as a plan's ``success``, which must all hold: ``speed > 3 m/s``,
+                ``yaw = 45 deg or yaw = 0 deg``, ``surface = wall``, ``not success``.
+
+        Raises:
+            InputError: If one cannot be read, or no flight satisfies them.
+        """
+        filters = [self.design.condition(text, judged=True) for text in conditions]
+        chosen = self.selection(*filters)
+        chosen.conditions += conditions
+        if conditions and self.done and not chosen.count("FROM flights"):
+            told = "; ".join(
+                f"{one.column} is {self._extent(one)}" for one in self.design.dimensions
+                if any(re.search(rf"(?<![\w.]){re.escape(one.column)}\b", c) for c in conditions)
+            )  # fmt: skip
+            raise InputError(f"{'; '.join(conditions)}: no flight is so{told and '; '}{told}")
+        return chosen
+
+    def _extent(self, one: Dimension) -> str:
+        """Values of a varied field, in SI."""
+        name, unit = identifier(one.column), f" {one.unit}" if one.unit else ""
+        if isinstance(one.law, LevelSet):
+            values = [one.column_value(k, 0) for k in range(min(one.law.levels, MOST_LISTED))]
+            more = ", ..." if one.law.levels > MOST_LISTED else ""
+            return f"{', '.join(map(value_text, values))}{more}{unit}"
+        [(low, high)] = self.query(f"SELECT min({name}), max({name}) FROM flights").rows
+        return f"{value_text(low)} to {value_text(high)}{unit}"
+
+    def selection(self, *conditions: str) -> Campaign:
+        """The flights that satisfy conditions in SQL; see `where`."""
+        chosen = copy.copy(self)
+        chosen._filters = (*self._filters, *map(one_expression, conditions))
+        chosen.__dict__.pop("robots", None)
+        return chosen
+
     def stored_flights(self) -> list[int]:
         """Numbers of the flights whose trajectories are stored, in ascending order."""
         found = (KEPT_NAME.fullmatch(path.name) for path in (self.folder / KEPT).glob("*.json"))
@@ -145,6 +198,9 @@ class Campaign:
             else:
                 connection.register("given", empty_rows(self.design))
                 source = rows_of(self.design)
+            if self._filters:
+                kept = " AND ".join(f"({condition})" for condition in self._filters)
+                source = f"SELECT * FROM ({source}) WHERE {kept}"
             connection.execute(f"CREATE VIEW flights AS {source}")
             with in_words():
                 return found(connection.execute(sql, list(parameters)))
@@ -259,6 +315,10 @@ class Campaign:
         if not 0 <= number < flights:
             raise InputError(f"flight {number}: must be from 0 to {flights - 1}")
         found = self.query("SELECT * FROM flights WHERE flight = ?", [number]).as_dicts()
+        if not found and self._filters:
+            raise InputError(
+                f"flight {number}: is not among those where {'; '.join(self.conditions)}"
+            )
         if not found:
             raise InputError(f"flight {number}: has not been flown yet; continue with --resume")
         return found[0]
@@ -325,19 +385,36 @@ class Campaign:
         first, *rest = map(self.flight, (number, *others))
         return first.view(*rest, export=export, force=force, browser=browser)
 
-    def plot(self, measure: str = "success", by: str | tuple[str, str] | None = None) -> Figure:
+    def plot(
+        self,
+        measure: str = "success",
+        by: str | tuple[str, str] | None = None,
+        *,
+        limit: str | Sequence[str] = (),
+        share: float | None = None,
+    ) -> Figure:
         """Figure of a measure over the flights, by robot, with 95 % intervals.
+
+        With a limit or a share it is the worst case over all other fields, with the values of the
+        field that keep the limits shaded and in a sentence: of ``campaign.where("speed < 4 m/s")``
+        those for hits of up to 4 m/s.
 
         Args:
             measure: Name of a column: a measure, or ``success``.
             by: Name of a varied field; the measure is drawn over it.  Two names give a map; None
                 the distribution, as a histogram and cumulated.
+            limit: Limits in words, as a plan's ``success``, a panel each:
+                ``impact_peak_acceleration < 300 m/s^2``, ``not arm_bottomed``; over two fields a
+                map of the share of flights that keep them.
+            share: Share of the flights at each value of the field that must keep the limits; by
+                default all, 1.
 
         Raises:
-            InputError: If matplotlib is not installed, there is no such column, or a field was not
-                varied.
+            InputError: If matplotlib is not installed, there is no such column, a field was not
+                varied, or a limit cannot be read.
         """
-        figure: Figure = hook("Campaign.plot")(self, measure, by)
+        limits = (limit,) if isinstance(limit, str) else tuple(limit)
+        figure: Figure = hook("Campaign.plot")(self, measure, by, limits=limits, share=share)
         return figure
 
     def _repr_html_(self) -> str:
@@ -403,44 +480,3 @@ def in_words(whose: str = "SQL") -> Iterator[None]:
         if is_disk(error):
             raise
         raise InputError(f"{whose}: {in_one_line(error)}") from None
-
-
-def check_conditions(design: Design, source: Source | None = None) -> None:
-    """Reject conditions of a plan that are not valid SQL, before anything is flown.
-
-    Args:
-        design: Design of the plan.
-        source: Origin of the plan.
-
-    Raises:
-        InputError: If a condition is invalid; it names the entry.
-    """
-    problem_line = (source or Source()).problem_line
-    keep = design.plan.keep
-    given = {"success": design.plan.success, "keep.where": keep.where if keep else None}
-    for entry, texts in given.items():
-        for k, text in enumerate(texts if isinstance(texts, tuple) else ()):
-            try:
-                design.condition(text, judged=entry == "keep.where")
-            except InputError as error:
-                raise InputError(problem_line((*entry.split("."), k), str(error))) from None
-    conditions = {"success": design.success, "keep.where": design.keep_condition}
-    for entry, text in conditions.items():
-        try:
-            one_expression(text)
-        except InputError as error:
-            more = WITH_UNITS.format(entry.rpartition(".")[2])
-            raise InputError(problem_line(entry.split("."), f"{error}{more}")) from None
-    kept = one_expression(conditions["keep.where"])
-    statements = {
-        "success": f"CREATE TABLE flights AS {rows_of(design)}",
-        "keep.where": f"SELECT flight FROM flights WHERE {kept}",
-    }
-
-    def check(connection: Any) -> None:
-        connection.register("given", empty_rows(design))
-        for entry, statement in statements.items():
-            with in_words(problem_line(entry.split("."), "").rstrip(": ")):
-                connection.execute(statement)
-
-    in_database(check)

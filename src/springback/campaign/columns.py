@@ -10,7 +10,7 @@ FLIGHT = {
     "flight": ("", "number of the flight, from 0"),
     "sample": ("", "number of the point of the design"),
     "repeat": ("", "number of the flight within the sample"),
-    "robot": ("", "preset of the vehicle"),
+    "robot": ("", "name of the vehicle and, if the plan has several, of the pilot"),
     "seed": ("", "seed of the noise"),
 }
 RESULT = {

@@ -6,7 +6,7 @@ import contextlib
 import os
 import tempfile
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
@@ -14,6 +14,13 @@ from typing import Any
 import numpy as np
 
 from springback.batch.scenarios import fly_scenarios
+from springback.campaign.compiler_times import (
+    FlightKind,
+    compile_kind,
+    compiler_time,
+    flight_kinds,
+    kernel_files,
+)
 from springback.campaign.design.layout import Design
 from springback.campaign.flying import try_code
 from springback.campaign.running import duration_text
@@ -52,6 +59,10 @@ class CostEstimate:
     """True if kernels can be cached on this machine; else every worker compiles them."""
     setup: float
     """Time to compile the kernels or, if they were cached, to load them [s]."""
+    compiling: float
+    """Processor time to compile them: just now, the last time, or typically [s]."""
+    recorded: bool
+    """False if that is a typical time."""
     rate: float
     """Flights per second on one core, once compiled."""
     workers: int
@@ -81,40 +92,75 @@ class CostEstimate:
             f"about {duration_text(self.time)} with {self.workers} "
             f"{'worker' if self.workers == 1 else 'workers'} on an idle machine of {self.cores} "
             f"{'core' if self.cores == 1 else 'cores'}, {_size(self.bytes)} on the disk",
+            f"load: {self.load:.1f} other {'process' if self.load == 1.0 else 'processes'} now"
+            + (
+                f"; if they go on, about {duration_text(self.loaded_time)}"
+                if self.loaded_time > NOTICED * self.time
+                else ", which hardly matters"
+            ),
         ]
-        if self.loaded_time > NOTICED * self.time:
-            lines.append(
-                f"about {duration_text(self.loaded_time)} if other work goes on: the load is now "
-                f"{self.load:.1f} processes"
-            )
         if self.refused:
             lines.append(f"{self.refused} of {self.tried} cannot be flown, such as: {self.problem}")
         return "\n".join(lines)
 
     def _kernels(self) -> str:
         """Sentence on the kernels of these kinds of flight."""
-        took = duration_text(self.setup)
+        took, work = duration_text(self.setup), duration_text(self.compiling)
         if not self.compiled:
-            return f"kernels: compiled before; each worker loads them, in about {took}"
+            last = f", in {work} of processor time" if self.recorded else ""
+            return f"kernels: compiled before{last}; each worker loads them, in about {took}"
         if self.cached:
-            return f"kernels: were new, and have just been compiled in {took}; they are cached now"
+            return (
+                f"kernels: were new, and have just been compiled in {took} ({work} of processor "
+                "time); they are cached now"
+            )
         return f"kernels: cannot be cached here, so each worker compiles them, in about {took}"
 
 
-def cost_estimate(design: Design, workers: int | None = None) -> CostEstimate:
+def compiling_text(kinds: Sequence[FlightKind], code: Mapping[str, str]) -> str:
+    """Sentence on the kernels of some kinds of flight, before they are compiled or loaded."""
+    known = [compiler_time(kind, code) for kind in kinds]
+    new = [one for one in known if not one.cached]
+    if not new:
+        return "kernels: in the cache"
+    work, load, cores = sum(one.seconds for one in new), _load(), os.cpu_count() or 1
+    last = "the last time" if all(one.recorded for one in new) else "typically"
+    slower = (load + 1.0) / cores
+    loaded = f"; at the present load of {load:.1f} processes about {duration_text(work * slower)}"
+    loaded = loaded if slower > NOTICED else ""
+    count = f"those of {len(new)} of {len(known)} kinds" if len(known) > 1 else "those of this kind"
+    alone = " (flights to be kept are flown alone, a kind of their own)"
+    kept = alone if any(kind.alone for kind in kinds) else ""
+    return (
+        f"kernels: {count} of flight{kept} are not in the cache, as far as is known; compiling "
+        f"takes {duration_text(work)} of processor time ({last}){loaded}"
+    )
+
+
+def cost_estimate(
+    design: Design, workers: int | None = None, remark: Callable[[str], None] | None = None
+) -> CostEstimate:
     """Fly a few flights, spread over the campaign, twice: once to compile, once to measure.
 
     Args:
         design: Design of the campaign.
         workers: Number of processes; by default that of the cores.
+        remark: Called with what compiling will take, before it begins.
     """
     try_code(design)
     workers = workers or os.cpu_count() or 1
     numbers = np.unique(np.linspace(0, design.flights - 1, TRIED).astype(int)).tolist()
     drawn = [design.slice(k, k + 1) for k in numbers]
     tables = [one.tables[0] for one in drawn]
+    kinds = flight_kinds(tables)
+    if design.plan.keep is not None:  # which are flown again, one by one
+        kinds += flight_kinds(tables[: len(design.robots)], alone=True)
+    if remark is not None:
+        remark(compiling_text(kinds, design.code))
     load, known = _load(), kernel_files()
+    before = [compiler_time(kind, design.code) for kind in kinds]
     begun = time.perf_counter()
+    took = [compile_kind(kind, design.code) for kind in kinds]
     fly_scenarios(tables, threads=1)
     first = time.perf_counter() - begun
     compiled, cached = bool(kernel_files() - known), is_writable(cache_folder())
@@ -134,16 +180,11 @@ def cost_estimate(design: Design, workers: int | None = None) -> CostEstimate:
         design.flights, design.samples, design.plan.repeats, design.robots,
         sum(not one.scatter for one in design.dimensions), len(tables), len(problems),
         problems[0] if problems else "", kinds_of(tables), compiled or not cached, cached, setup,
+        sum(now or one.seconds for now, one in zip(took, before, strict=True)),
+        all(now or one.recorded for now, one in zip(took, before, strict=True)),
         rate, workers, cores, load, start + alone, start + alone * slower,
         round(_bytes_each(rows, design) * design.flights),
     )  # fmt: skip
-
-
-def kernel_files() -> set[Path]:
-    """Files of compiled kernels, those of users' own code included."""
-    folder = cache_folder()
-    own = folder.parents[1] / "own"
-    return {*folder.glob("*.kernel"), *own.glob("*/*.kernel")}
 
 
 def _load() -> float:

@@ -6,12 +6,16 @@ from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 from springback.batch.scenarios import Device, fly_scenarios, no_collection
+from springback.campaign.compiler_times import compile_kinds
 from springback.campaign.design.layout import Design, design_of
 from springback.contact.parameters import PLANES
 from springback.errors import InputError
 from springback.results.flight import check_user_code
 from springback.scenario.code_files import changed_files
 from springback.scenario.scenario import scenario_from
+
+#: Flights of a chunk that are looked at for kinds to be compiled (chosen).
+FEW = 6
 
 Chunk = tuple[int, int]
 """Numbers of the first flight, and of the one after the last."""
@@ -76,6 +80,13 @@ def rows(
     """Rows of a chunk of flights, by column."""
     with no_collection():
         drawn = design.slice(*chunk)
+        if device == "cpu":
+            compile_kinds(_few(drawn.tables, len(design.robots)), design.code)
         ended = fly_scenarios(drawn.tables, threads=threads, device=device)
     tail = {"outcome": ended.outcomes, "problem": ended.problems}
     return {**drawn.columns, **tail, **ended.measures}
+
+
+def _few(tables: list[Any], robots: int) -> list[Any]:
+    """One flight of each robot, and a few more, for the kinds of flight among them."""
+    return tables[:robots] + tables[robots :: max(1, len(tables) // FEW)]

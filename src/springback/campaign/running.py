@@ -12,11 +12,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from springback.batch.scenarios import GPU_BLOCK, Device
-from springback.campaign.access import Campaign, check_conditions
+from springback.campaign.access import Campaign
 from springback.campaign.design.layout import Design, lay_out
 from springback.campaign.design.plan import Plan
 from springback.campaign.errors import CampaignError
 from springback.campaign.flying import Chunk, ChunkRows, try_code
+from springback.campaign.plan_check import check_conditions
 from springback.campaign.store import Store, changed_versions, open_store
 from springback.campaign.workers import GivenUp, Remark, fly_locally
 from springback.errors import InputError

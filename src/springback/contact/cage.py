@@ -18,7 +18,7 @@ from springback.contact.obstacles import (
     outward_normal,
     signed_distance,
 )
-from springback.contact.rings import FAR, LowPoint, lowest_on_ring
+from springback.contact.rings import FAR, LowPoint, LowPoints, lowest_on_ring
 from springback.contact.step_bounds import (
     ContactStiffness,
     FrictionDamping,
@@ -168,6 +168,15 @@ class NearestFace(NamedTuple):
     inward: Vec  # unit normal into the obstacle
     at: Support
     steepness: float  # of the gap: its change by a motion of the point along the normal, up to 1
+    saddle_inward: Vec  # into the obstacle at the saddle from which the gap counts; else zero
+    saddle_lever: Vec  # where that is, from the end of the arm [m]
+
+
+@kernel
+def simple_face(gap: float, inward: Vec, at: Support) -> NearestFace:
+    """Point of a cage nearest to an obstacle that is smooth there."""
+    none = Vec(0.0, 0.0, 0.0)
+    return NearestFace(gap, inward, at, 1.0, none, none)
 
 
 @generic
@@ -217,7 +226,7 @@ def _ring_faces(model: Ring, shape: Any, radius: float, arm: ArmPose) -> Nearest
     found = lowest_on_ring(shape, arm.lever, radius, arm.direction)
     return NearestFaces(
         at_low_point(radius, found.first),
-        at_low_point(radius, found.second),
+        at_second_point(radius, found),
     )
 
 
@@ -227,7 +236,21 @@ def at_low_point(radius: float, low: LowPoint) -> NearestFace:
     lever = Vec(radius * low.towards.x, radius * low.towards.y, 0.0)
     steepness = norm(low.normal)
     inward = low.normal * (-1.0 / steepness)
-    return NearestFace(low.gap, inward, Support(lever, lever, lever, 0.0), steepness)
+    none = Vec(0.0, 0.0, 0.0)
+    return NearestFace(low.gap, inward, Support(lever, lever, lever, 0.0), steepness, none, none)
+
+
+@kernel
+def at_second_point(radius: float, low: LowPoints) -> NearestFace:
+    """Face that a ring meets at its second lowest point, as deep as that is below the saddle."""
+    face, saddle = at_low_point(radius, low.second), low.saddle
+    if saddle.gap < 0.0:
+        lever = Vec(radius * saddle.towards.x, radius * saddle.towards.y, 0.0)
+        return NearestFace(
+            min(face.gap - saddle.gap, 0.0), face.inward, face.at, face.steepness,
+            -saddle.normal, lever,
+        )  # fmt: skip
+    return face
 
 
 @nearest_faces.register(ArmTip)
@@ -235,7 +258,7 @@ def at_low_point(radius: float, low: LowPoint) -> NearestFace:
 def _tip_faces(model: ArmTip, shape: Any, radius: float, arm: ArmPose) -> NearestFaces:
     """The single contact point of the paper."""
     there = face_along_normal(shape, model, radius, arm)
-    return NearestFaces(there, NearestFace(FAR, there.inward, there.at, 1.0))
+    return NearestFaces(there, simple_face(FAR, there.inward, there.at))
 
 
 @kernel
@@ -247,7 +270,7 @@ def face_along_normal(shape: Any, contact_point: Any, radius: float, arm: ArmPos
     """
     n = -outward_normal(shape, arm.lever)
     at = support(contact_point, n, arm.direction, radius)
-    return NearestFace(signed_distance(shape, arm.lever + at.point) + at.inset, n, at, 1.0)
+    return simple_face(signed_distance(shape, arm.lever + at.point) + at.inset, n, at)
 
 
 @kernel
@@ -349,9 +372,11 @@ def face_contact(face: ContactFace, engaged: float, arm: ArmPose, body: BodyMoti
         body: Motion of the main body.
     """
     surface, end, omega = face.surface, arm.lever, body.omega
-    gap, n, at, steepness = face.nearest
+    gap, n, at, steepness, at_saddle, saddle_lever = face.nearest
     pressing, rubbing_at = end + at.normal_lever, end + at.friction_lever
     rate = steepness * ((arm.sliding + (omega ^ pressing)) @ n)  # δ̇, positive in compression
+    saddle = end + saddle_lever
+    rate -= (arm.sliding + (omega ^ saddle)) @ at_saddle
     # A step ends on the face to within rounding; a law with a jump there must act at once.
     touches = (gap < -AT_TOUCH) | ((gap <= LANDED) & (rate > 0.0))
     depth = larger(-gap, AT_TOUCH) if touches & (engaged > 0.0) else 0.0
@@ -363,6 +388,8 @@ def face_contact(face: ContactFace, engaged: float, arm: ArmPose, body: BodyMoti
     push = n * (-f_n)
     force = push + rubbed.force
     moment = (rubbing_at ^ force) + ((at.normal_lever - at.friction_lever) ^ push)
+    back = at_saddle * pressed.force
+    force, moment = force + back, moment + (saddle ^ back)
     grounded = face.is_ground if gap < 0.0 else 0.0
     grip = friction_damping(rubbed.grip, n, rubbing_at, arm.direction)
     press = contact_stiffness(pressed.stiffness, pressed.damper, n, arm.direction)

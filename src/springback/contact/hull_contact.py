@@ -13,13 +13,13 @@ from springback.contact.cage import (
     BodyMotion,
     CageContact,
     ContactFace,
-    NearestFace,
     NearestFaces,
     Support,
     contact_faces,
     face_contact,
     lowest_gap,
     nearest_faces,
+    simple_face,
     support,
 )
 from springback.contact.obstacles import outward_normal, signed_distance
@@ -42,7 +42,7 @@ def _sphere_faces(model: Sphere, shape: Any, radius: float, arm: ArmPose) -> Nea
     """The single point at which a sphere touches a shape."""
     inward = -outward_normal(shape, arm.lever)
     gap, at = signed_distance(shape, arm.lever) - radius, support(model, inward, inward, radius)
-    return NearestFaces(NearestFace(gap, inward, at, 1.0), NearestFace(FAR, inward, at, 1.0))
+    return NearestFaces(simple_face(gap, inward, at), simple_face(FAR, inward, at))
 
 
 @kernel

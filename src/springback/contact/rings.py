@@ -49,6 +49,9 @@ def _turn(arcs: float) -> Direction:
     return Direction(math.cos(angle), math.sin(angle))
 
 
+#: Steps around a ring in which a saddle is looked for.
+SHORTS = 64
+_SHORT = _turn(ARCS / SHORTS)
 _STEP, _HALF, _ARC = _turn(1.0 / STEPS), _turn(0.5), _turn(1.0)
 
 
@@ -66,10 +69,33 @@ class LowPoint(NamedTuple):
 
 
 class LowPoints(NamedTuple):
-    """The two lowest minima of a distance along a ring; a gap of `FAR` if there is no second."""
+    """The two lowest minima of a distance along a ring; a gap of `FAR` if there is no second.
+
+    Between two points inside the shape the ring may stay inside, as where it lies almost flat on a
+    face.  The second then touches as deep as it is below the saddle: as both merge, it fades out.
+    """
 
     first: LowPoint
     second: LowPoint
+    saddle: LowPoint  # the highest point on the way from one to the other, if inside; else `FAR`
+
+
+class InverseShape(NamedTuple):
+    """A shape with its inside out: its lowest points are the highest of the shape."""
+
+    shape: Any
+
+
+@signed_distance.register(InverseShape)
+@kernel
+def _opposite_distance(opposite: InverseShape, point: Vec) -> float:
+    return -signed_distance(opposite.shape, point)
+
+
+@outward_normal.register(InverseShape)
+@kernel
+def _opposite_normal(opposite: InverseShape, point: Vec) -> Vec:
+    return -outward_normal(opposite.shape, point)
 
 
 @kernel
@@ -152,6 +178,44 @@ def _turning(
 
 
 @kernel
+def _is_before(a: Direction, b: Direction) -> bool:
+    """True if the first angle, from 0 to a full turn, is less than the second."""
+    lower, other = a.y < 0.0, b.y < 0.0
+    return other if lower != other else a.x * b.y - a.y * b.x > 0.0
+
+
+@kernel
+def _highest_between(
+    shape: Any, centre: Vec, radius: float, first: Direction, last: Direction
+) -> LowPoint:
+    """Highest point inside a shape along a ring, counterclockwise from one direction to another.
+
+    Its gap is `FAR` if the ring is outside somewhere.
+    """
+    end = _rotate(last, Direction(first.x, -first.y))
+    ahead, best, highest = _SHORT, first, -FAR
+    for _ in range(SHORTS):
+        if not _is_before(ahead, end):
+            break
+        there = _rotate(first, ahead)
+        gap = _distance(shape, centre, radius, there)
+        if gap > highest:
+            best, highest = there, gap
+        if gap >= 0.0:
+            break
+        ahead = _rotate(ahead, _SHORT)
+    if highest >= 0.0 or highest == -FAR:
+        return LowPoint(first, FAR if highest >= 0.0 else highest, Vec(0.0, 0.0, 1.0))
+    opposite = InverseShape(shape)
+    a, b = _rotate(best, Direction(_SHORT.x, -_SHORT.y)), _rotate(best, _SHORT)
+    falls, rises = _rise(opposite, centre, radius, a), _rise(opposite, centre, radius, b)
+    if falls < 0.0 <= rises:
+        found = _turning(opposite, centre, radius, a, b, falls, rises)
+        return LowPoint(found.towards, min(-found.gap, 0.0), -found.normal)
+    return LowPoint(best, highest, outward_normal(shape, on_ring(centre, radius, best)))
+
+
+@kernel
 def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> LowPoints:
     """The two lowest minima of a signed distance along a ring in the plane of the arms.
 
@@ -188,4 +252,9 @@ def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> LowP
                         second = found
                 a, falls = b, rises
         begin = _rotate(begin, _ARC)
-    return LowPoints(first if first.gap < FAR else level, second)
+    saddle = LowPoint(guess, FAR, level.normal)
+    if second.gap < 0.0:
+        one = _highest_between(shape, centre, radius, first.towards, second.towards)
+        other = _highest_between(shape, centre, radius, second.towards, first.towards)
+        saddle = one if one.gap < other.gap else other
+    return LowPoints(first if first.gap < FAR else level, second, saddle)

@@ -23,8 +23,8 @@ from springback.kernels.vectors import Vec
 from springback.quantities import Angle, Duration, Length, Position, Speed, Triple, Unit
 from springback.settings import Settings, problem
 
-#: Distance of the foremost cage ahead of the main body [m] at a pitch [rad], as
-#: `springback.control.runup.reach` of a vehicle.
+#: Distance of the foremost cage ahead of the main body [m] at a pitch [rad] and the yaw of the
+#: reference, as `springback.control.runup.reach` of a vehicle.
 Reach = Callable[[float], float]
 
 Moment = Annotated[float, Unit("s", least=0.0)]
@@ -159,7 +159,10 @@ class RunUpSettings(Settings):
     speed: Speed
     """Speed into the wall at contact."""
     pitch: Annotated[float, Unit("rad", least=-1.4, most=1.4)] = 0.0
-    """Pitch at contact; positive is nose down, towards the wall."""
+    """Pitch at contact; positive is nose down, towards the wall.  With a yaw it is the tilt towards
+    the wall, about the wall's horizontal."""
+    yaw: Angle = 0.0
+    """Heading against the wall's inward normal, held from the start to the end of the recovery."""
     wall_distance: Position = 2.75
     """Distance of the wall's face from the origin along X."""
     start: Place = HOME
@@ -182,7 +185,7 @@ class RunUpSettings(Settings):
                 f"wall_distance of a run-up must be more than {x + reach(self.pitch):.4g} m, where "
                 f"the cages are at the start (got {self.wall_distance:g} m)"
             )
-        contact = RunUpContact(Vec(there, y, z), self.speed, self.pitch)
+        contact = RunUpContact(Vec(there, y, z), self.speed, self.pitch, self.yaw)
         timing = RunUpTiming(self.steady, self.beyond, self.begins)
         return run_up(Vec(x, y, z), contact, limits, timing, advises)
 

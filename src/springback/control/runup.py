@@ -41,17 +41,22 @@ class RunUp(NamedTuple):
     largest_tilt_rate: float  # [rad/s]
 
 
-def reach(airframe: Airframe, contact_point: Any, pitch: float) -> float:
+def reach(airframe: Airframe, contact_point: Any, pitch: float, yaw: float = 0.0) -> float:
     """Distance of the foremost part ahead of the main body when it touches a wall across X [m].
 
-    For two front arms at 45° and a ring it is (L/√2 + r_0) cos θ.
+    For two front arms at 45° and a ring it is (L/√2 + r_0) cos θ.  The attitude is that of
+    `springback.control.position.heading` with b_3 = (sin θ, 0, cos θ) and the heading ψ.
 
     Args:
         airframe: The vehicle, with its arms at their free length.
         contact_point: `Ring` or `ArmTip`, the model of contact.
-        pitch: θ, positive nose down; yaw and roll are zero [rad].
+        pitch: θ, tilt towards the wall; without yaw the pitch, positive nose down [rad].
+        yaw: ψ, from −π/2 to π/2 or beyond [rad].
     """
-    inward = Vec(math.cos(pitch), 0.0, math.sin(pitch))  # world X in body axes
+    slope = math.tan(pitch) * math.sin(yaw)
+    across = math.sqrt(1.0 + slope * slope)
+    ahead, aside = math.cos(yaw) / across, math.sin(yaw) / across
+    inward = Vec(math.cos(pitch) * ahead, 0.0 - aside, math.sin(pitch))  # world X in body axes
     ends = []
     for arm in airframe.arms:
         e = arm_direction(arm)
@@ -66,7 +71,8 @@ class RunUpContact(NamedTuple):
 
     position: Vec  # of the main body, world, at the height of the start [m]
     speed: float  # along the path [m/s]
-    pitch: float  # positive nose down towards the obstacle [rad]
+    pitch: float  # tilt towards the obstacle; without yaw the pitch, positive nose down [rad]
+    yaw: float = 0.0  # heading from the direction of flight, all along the run-up [rad]
 
 
 class RunUpTiming(NamedTuple):
@@ -106,7 +112,7 @@ def run_up(
         InputError: Naming the limit that is exceeded and by how much: thrust, tilt, or the distance
             that keeps the tilt rate within bounds.
     """
-    end, speed, pitch = contact
+    end, speed, pitch, turned = contact
     steady, beyond, begins = timing
     way = end - start
     distance = math.hypot(way.x, way.y)
@@ -128,8 +134,9 @@ def run_up(
     along[:, 0] += np.array(start)
     curve = scipy.interpolate.BPoly.from_derivatives(breaks, along)
     asked = demands(curve, breaks[:touching], limits)
+    yaw = math.atan2(way.y, way.x) + turned
     return RunUp(
-        padded_reference(as_reference(curve, breaks, math.atan2(way.y, way.x), begins), SEGMENTS),
+        padded_reference(as_reference(curve, breaks, yaw, begins), SEGMENTS),
         begins + breaks[touching - 1],
         end,
         asked.max_thrust,

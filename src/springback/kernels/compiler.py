@@ -183,7 +183,17 @@ def _entry(function: F, folder: Path | None, options: dict[str, Any]) -> F:
     """Compile an entry point, cached in a folder between processes, or not cached."""
     entry: Any = njit(**{**STRICT, **options})(function)
     if folder is not None:
-        entry._cache = KernelCache(function, folder)
+        cache = entry._cache = KernelCache(function, folder)
+        compile_now = entry._compiler.compile
+
+        def compile_or_unlock(*signature: Any) -> Any:
+            try:
+                return compile_now(*signature)
+            except BaseException:
+                cache.end_compilation()
+                raise
+
+        entry._compiler.compile = compile_or_unlock
     return cast("F", entry)
 
 

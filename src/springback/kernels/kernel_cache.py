@@ -8,6 +8,9 @@ alone.
 
 The compiler's own cache has an index with neither checksum nor owner: an empty or truncated file
 breaks every later start, and two processes that save different signatures at once can swap them.
+
+A kernel that is not there is compiled by one process; others that need it wait for its file.  The
+lock is the system's, so it ends with its holder, however that ends.
 """
 
 from __future__ import annotations
@@ -23,6 +26,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from filelock import FileLock, Timeout
 from numba.core import compiler, serialize
 
 from springback.errors import CacheWarning
@@ -33,6 +37,10 @@ _rebuild: Any = compiler.CompileResult._rebuild
 _dumps: Any = serialize.dumps
 #: Length of SHA-256 [bytes].
 _DIGEST = 32
+#: Longest wait for another process to compile a kernel [s] (chosen: far beyond the longest).
+_PATIENCE = 600.0
+#: Interval between two looks for its end [s] (chosen).
+_LOOK_AGAIN = 0.05
 #: Temporary files older than this were left by killed processes [s] (chosen).
 _STALE = 3600.0
 #: Warnings already issued in this process.
@@ -53,6 +61,7 @@ class KernelCache:
         self._code = hashlib.sha256(function.__code__.co_code).hexdigest()
         line = function.__code__.co_firstlineno
         self._name = f"{function.__module__}.{function.__qualname__}-{line}"
+        self._locks: list[FileLock | None] = []  # of kernels that are being compiled, nested
 
     @property
     def cache_path(self) -> str:
@@ -69,9 +78,22 @@ class KernelCache:
         """Do nothing: the folder's name changes with the source."""
 
     def load_overload(self, signature: Any, context: Any) -> Any:
-        """The kernel for a signature, or None if there is no trusted file of it."""
+        """The kernel for a signature, or None if there is no trusted file of it.
+
+        It is then to be compiled by this process, which holds its lock until `end_compilation`.
+        """
         context.refresh()
         key = self._key(signature, context.codegen())
+        found = self._load(key, context)
+        if found is not None:
+            return found
+        self._locks.append(_locked(self._lock_path(key)))
+        found = self._load(key, context)  # another process may have compiled it meanwhile
+        if found is not None:
+            self.end_compilation()
+        return found
+
+    def _load(self, key: tuple[Any, ...], context: Any) -> Any:
         for path in self._candidates(key):
             try:
                 data = _verified_content(path)
@@ -87,7 +109,13 @@ class KernelCache:
         return None
 
     def save_overload(self, signature: Any, result: Any) -> None:
-        """Save a kernel atomically."""
+        """Save a kernel atomically, and unlock it."""
+        try:
+            self._save(signature, result)
+        finally:
+            self.end_compilation()
+
+    def _save(self, signature: Any, result: Any) -> None:
         if any(not lifted.can_cache for lifted in result.lifted):
             return
         if result.library.has_dynamic_globals:
@@ -99,13 +127,21 @@ class KernelCache:
         except Exception as error:
             _warn_not_cached(self._folder, error)
 
+    def end_compilation(self) -> None:
+        """Unlock the kernel that was compiled last, or that could not be compiled."""
+        lock = self._locks.pop()
+        if lock is not None:
+            lock.release()
+
+    def _lock_path(self, key: tuple[Any, ...]) -> Path:
+        return self._folder / f".{_stem(key)}.lock"
+
     def _key(self, signature: Any, codegen: Any) -> tuple[Any, ...]:
         return self._name, signature, codegen.magic_tuple(), self._code
 
     def _candidates(self, key: tuple[Any, ...]) -> Iterator[Path]:
         """Files that may hold a key: types of equal names share a stem."""
-        stem = hashlib.sha256(repr(key).encode()).hexdigest()[:32]
-        return (self._folder / f"{stem}-{k}.kernel" for k in range(100))
+        return (self._folder / f"{_stem(key)}-{k}.kernel" for k in range(100))
 
     def _free(self, key: tuple[Any, ...]) -> Path:
         """Path to write a key to: its own file, or in place of one that cannot be used."""
@@ -118,6 +154,28 @@ class KernelCache:
             except Exception:
                 return path
         return path
+
+
+def _stem(key: tuple[Any, ...]) -> str:
+    return hashlib.sha256(repr(key).encode()).hexdigest()[:32]
+
+
+def _locked(path: Path) -> FileLock | None:
+    """Lock of a kernel, once no other process holds it; None where files cannot be locked.
+
+    Only in a folder of the user's own: where everyone can write, a link could be in its place.
+    """
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        about = path.parent.stat()
+        mine = not hasattr(os, "getuid") or about.st_uid == os.getuid()
+        if not mine or about.st_mode & stat.S_IWOTH:
+            return None
+        lock = FileLock(path)
+        lock.acquire(timeout=_PATIENCE, poll_interval=_LOOK_AGAIN)
+        return lock
+    except (OSError, NotImplementedError, Timeout):
+        return None
 
 
 def load_program(path: Path) -> bytes | None:

@@ -269,7 +269,10 @@ def _replace_fields(tree: Any, **fields: Any) -> Any:
         return None
     parts = [name if name in fields else f"tree.{name}" for name in cls._fields]
     built = f"return {cls.__name__}({', '.join(parts)})"
-    return function_of(", ".join(["tree", *fields]), [built], {cls.__name__: cls})
+    # The compiler tells implementations by the types of all arguments, not by their names: those
+    # that are left out must count, or one call would get the function of another.
+    arguments = ["tree", *(f"{name}=None" for name in cls._fields)]
+    return function_of(", ".join(arguments), [built], {cls.__name__: cls})
 
 
 @compiler_rule(select)

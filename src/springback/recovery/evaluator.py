@@ -4,14 +4,14 @@ A run is judged from first touch until the robot has come to rest where it shoul
 it could rest there only against the obstacle, at home.  At rest it touches nothing, is nearer than
 a tolerance and slow, and stays so for a while (`RecoverySettings`).
 
-Of a pilot of the user's own nothing is known but the motion of its vehicle (`RestEvaluator`): it is
-at rest wherever it is slow and touches nothing for that while.
+Of a pilot of the user's own nothing is known but the motion of its vehicle and the alarms that it
+reports (`RestEvaluator`): it is at rest wherever it is slow and touches nothing for that while.
 """
 
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 from springback.kernels.angles import angle_of
 from springback.kernels.compiler import kernel
@@ -20,7 +20,7 @@ from springback.kernels.trees import replace, select
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.recovery.pilot import RecoveryPilotMemory
 from springback.recovery.state_machine import HOVER, LOOK, RECOVER, RecoveryState
-from springback.simulation.onboard import evaluator_step
+from springback.simulation.onboard import UserPilotMemory, evaluator_step
 from springback.simulation.record import Contacts
 from springback.simulation.ticks import Group, contacts_of, evaluate, evaluate_lanes
 from springback.vehicle.state import State
@@ -219,18 +219,20 @@ def _rest_evaluator_step(
     time: float,
     state: State,
     contacts: Contacts,
-    pilot: Any,
+    pilot: UserPilotMemory,
     memory: EvaluatorMemory,
 ) -> EvaluatorMemory:
     """A run lasts from a touch until rest; a touch before that belongs to it, a later one not."""
-    m, p, pitch = memory, state.position, _state_pitch(state)
+    m, p, pitch, raised = memory, state.position, _state_pitch(state), pilot.report.raised
     touches = contacts.total > m.contacts
     begins = touches & (m.open < 0.5)
     run = select(begins, _new_run(time, state, pitch), m.run)
     is_open = begins | (m.open > 0.5)
     near = _is_slow(state, evaluator.slow) & (contacts.touching < 0.5)
     moved = _motion_after(run, time, state, pitch, near, evaluator.dwell, m.position)
-    after = select(is_open, moved, run)
+    is_first = (raised >= run.touch - EARLY) & (run.alarm < 0.0)
+    noticed = replace(moved, alarm=select(is_first, raised, run.alarm))
+    after = select(is_open, noticed, run)
     new_contacts = select(touches, contacts.total - m.contacts, 0.0)
     settles = is_open & (after.settled >= 0.0)
     return replace(
@@ -241,6 +243,8 @@ def _rest_evaluator_step(
         run=replace(after, contacts=after.contacts + new_contacts),
         runs=m.runs + select(begins, 1.0, 0.0),
         recovered=m.recovered + select(settles, 1.0, 0.0),
+        false_alarms=_false_alarms(m, raised, is_open | _is_recent(contacts, time)),
+        alarm_seen=select(raised > m.alarm_seen, raised, m.alarm_seen),
         lowest=select(p.z < m.lowest, p.z, m.lowest),
     )
 
@@ -260,13 +264,17 @@ def _running(group: Group) -> int:
 @kernel
 def _evaluate_rest(evaluator: TreeLayout, group: Group) -> None:
     """Batch version of `evaluator_step`; where no run is open and none begins, little of it."""
-    avionics, g, w, once, _ = group.lanes
-    memory, running = avionics.onboard.evaluator, _running(group)
+    avionics, g, w, once, tick = group.lanes
+    memory, report, running = (
+        avionics.onboard.evaluator,
+        avionics.onboard.pilot.report,
+        _running(group),
+    )
     for i in range(w * once if running == 0 else 0):
+        time, m = tick * load(avionics.systems.period, g, w, i), load(memory, g, w, i)
         position = load(group.shape.motion.state.position, group.motion, w, i)
-        lowest = load(memory.lowest, g, w, i)
-        store(position, memory.position, g, w, i)
-        store(select(position.z < lowest, position.z, lowest), memory.lowest, g, w, i)
+        raised, contacts_now = load(report.raised, g, w, i), contacts_of(group, i)
+        store(between_runs(time, position, raised, contacts_now, m), memory, g, w, i)
     if running > 0:
         evaluate_lanes(evaluator, group)
 

@@ -85,6 +85,7 @@ _TELEMETRY = (
     ("alarms_wrench", "pilot.alarms.3", ""),
     ("force_{a}", "pilot.force.{a}", "N"), ("moment_{a}", "pilot.moment.{a}", "N m"),
     ("hit_{a}", "pilot.direction.{a}", ""),
+    ("alarm", "report.alarm", ""),
 )  # fmt: skip
 
 

@@ -101,7 +101,7 @@ def events_of(flight: FlightResult) -> tuple[Event, ...]:
     """Events in order of time."""
     t = flight.columns["t"]
     found = [*_contacts(flight), *_failures(flight), *_phases(flight), *_settling(flight)]
-    found += _parts(flight)
+    found += [*_reports(flight), *_parts(flight)]
     found.append(Event(float(t[-1]), "end", "end", flight.message))
     return tuple(sorted(found, key=lambda event: event.t))
 
@@ -203,6 +203,15 @@ def _phases(flight: FlightResult) -> list[Event]:
         when = float(t[k + 1])
         found.append(Event(when, kind, label, text.format(trigger=_trigger(flight, k + 1))))
     return found
+
+
+def _reports(flight: FlightResult) -> list[Event]:
+    """Alarms that a pilot of the user's own reports."""
+    telemetry = flight.telemetry
+    reports = telemetry.get("alarm", np.zeros(0)) > 0.5
+    rises = np.flatnonzero(reports & ~np.concatenate([[False], reports[:-1]]))
+    text = "your pilot reports a collision"
+    return [Event(float(telemetry["t"][k]), "alarm", "detected", text) for k in rises[:MOST]]
 
 
 def _trigger(flight: FlightResult, k: int) -> str:

@@ -53,6 +53,7 @@ from springback.simulation.guided import (
 )
 from springback.simulation.measures import Outcome, measures_of, outcome_of
 from springback.simulation.noise import noise_table
+from springback.simulation.onboard import Avionics
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -248,8 +249,9 @@ def fly(
         own: The user's own obstacles besides the scenario's: pairs of a shape, registered with
             `signed_distance` and `outward_normal`, and its `SurfaceSettings`.
         pilot: The user's own pilot, in place of the scenario's: a plain function ``(time,
-            measurement, memory) -> (thrusts, memory)``, whose memory is None at first, or a
-            `CompiledPilot`, which is compiled, or ``"file.py:name"`` of either.
+            measurement, memory) -> (thrusts, memory)``, whose memory is None at first, with its
+            alarm as a third value if it detects collisions; or a `CompiledPilot`, which is
+            compiled; or ``"file.py:name"`` of either.
         trajectory: Record the trajectory.
         executor: ``compiled``, or ``python`` for the same source run by the interpreter.
         progress: Called from time to time with the simulated time [s].
@@ -383,7 +385,7 @@ def check_user_code(built: ReadyFlight) -> list[Law]:
     laws: list[Law] = []
     if built.built_avionics is None:
         return laws
-    systems, onboard = built.built_avionics.avionics
+    onboard = built.built_avionics.avionics.onboard
     for part in built.compiled:
         if not own_types(part):
             continue
@@ -393,11 +395,15 @@ def check_user_code(built: ReadyFlight) -> list[Law]:
         elif isinstance(part, CompiledEstimator):
             laws.append(check_estimator(part, onboard.measurement))
         else:
-            airframe, memory = systems.pilot.cascade.airframe, onboard.pilot
-            at, wrench = memory.flight.estimate, memory.wrench
-            inputs = CollisionInputs(airframe, onboard.measurement, at, wrench)
-            laws.append(check_detector(part, inputs))
+            laws.append(check_detector(part, first_inputs(built.built_avionics.avionics)))
     return laws
+
+
+def first_inputs(avionics: Avionics) -> CollisionInputs:
+    """What the detectors of a pilot that recovers are given, before its first tick."""
+    airframe, memory = avionics.systems.pilot.cascade.airframe, avionics.onboard.pilot
+    at, wrench = memory.flight.estimate, memory.wrench
+    return CollisionInputs(airframe, avionics.onboard.measurement, at, wrench)
 
 
 def guided_result(guided: GuidedFlown) -> tuple[Outcome, dict[str, float | None]]:

@@ -1,8 +1,8 @@
 """Outcome and measures of a recovery, from the evaluator and the pilot's memory.
 
 A pilot of the user's own has recovered once its vehicle, after a contact, is slower than
-``recovery.settling.speed`` and touches nothing for ``recovery.settling.dwell``.  It has no alarms,
-so measures of these, and of a collision's direction, are undefined.
+``recovery.settling.speed`` and touches nothing for ``recovery.settling.dwell``.  Of its alarms only
+the times are known; measures of triggers, and of a collision's place and direction, are undefined.
 """
 
 from __future__ import annotations
@@ -125,26 +125,26 @@ def recovery_columns(record: Any, seen: Any, memory: Any) -> dict[str, Array]:
         "path": where(happened, run.path),
         "nose_up": where(happened, run.nose_up),
         "nose_down": where(happened, run.nose_down),
+        "false_alarms": seen.false_alarms,
+        "alarm_time": _finite(run.alarm),
+        "detection_delay": _since(run.alarm, touch),
     }
     if isinstance(memory, RecoveryPilotMemory):
-        found |= _alarm_columns(record, seen, memory, touch)
+        found |= _collision_columns(record, seen, memory)
     unknown = np.full_like(seen.runs, math.nan)
     return {name: found.get(name, unknown) for name in RECOVERY_MEASURES}
 
 
-def _alarm_columns(record: Any, seen: Any, memory: Any, touch: Array) -> dict[str, Array]:
-    """Measures of alarms, and of the collision as the pilot estimates it; touch is in s."""
+def _collision_columns(record: Any, seen: Any, memory: Any) -> dict[str, Array]:
+    """Measures of triggers, of phases, and of the collision as springback's pilot estimates it."""
     run, hit, d = seen.run, memory.collision, memory.detection
     first, log = record.first_impact.touch_time, memory.recovery_state.log
     noticed, gap = run.alarm >= 0.0, hit.position - run.alarm_place
     inward = record.first_impact.inward
     return {
-        "false_alarms": seen.false_alarms,
-        "alarm_time": where(noticed, run.alarm),
         "planned_time": _finite(log.planned),
         "rested_time": _finite(log.settled),
         "home_time": _finite(log.home),
-        "detection_delay": _since(run.alarm, touch),
         "hall_delay": _since(d.hall.first, first),
         "acceleration_delay": _since(d.acceleration.first, first),
         "wrench_delay": _since(d.wrench.first, first),

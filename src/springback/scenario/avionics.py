@@ -191,7 +191,7 @@ def reference_of(
     limits = limits_of(believed, rate_limit)
     ahead = 0.0
     if isinstance(settings, RunUpSettings):  # no other depends on it
-        ahead = traceable(reach)(believed.airframe, point, settings.pitch)
+        ahead = traceable(reach)(believed.airframe, point, settings.pitch, settings.yaw)
     with _in_table("reference"):
         given = tuple(settings.__dict__.items())
         return _build_reference(type(settings), given, limits, ahead, advises)

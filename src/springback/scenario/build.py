@@ -31,10 +31,11 @@ from springback.scenario.checks import (
 from springback.scenario.model import flight_model, hover_thrusts, start_state, thrust_table
 from springback.scenario.tables import ScenarioTables, ThrustSettings
 from springback.scenario.trust import check_trusted
+from springback.scenario.user.builders import PilotContext
 from springback.scenario.user.obstacles import check_own_obstacles, own_obstacles
 from springback.scenario.user.pilots import (
     AnyPilot,
-    PilotContext,
+    UserPilot,
     built_pilot,
     read_pilot,
 )
@@ -45,6 +46,7 @@ from springback.simulation.guided import PlainPilot
 from springback.simulation.onboard import Relay
 from springback.simulation.record import Model
 from springback.simulation.thrusts import ThrustTable
+from springback.user_code import UserCode
 from springback.vehicle.state import State
 
 
@@ -59,7 +61,7 @@ class UserParts(NamedTuple):
 
     obstacles: tuple[Own, ...] = ()
     """Obstacles besides the scenario's walls, with their surfaces."""
-    pilot: AnyPilot | None = None
+    pilot: AnyPilot | UserPilot | None = None
     """Pilot in place of the paper's."""
     estimator: SensingCode | None = None
     """Estimator of the paper's pilot."""
@@ -119,10 +121,14 @@ def named_parts(scenario: ScenarioTables) -> UserParts:
     named = dict(scenario.code)
     for path, word in named.items():
         check_trusted(word, path)
-    pilot = None if scenario.pilot is None else read_pilot(scenario.pilot)
+    pilot = None if scenario.pilot is None else _named_pilot(scenario.pilot)
     estimator = _named_sensing(named, _ESTIMATOR_AT, CompiledEstimator)
     detector = _named_sensing(named, _DETECTOR_AT, CompiledDetector)
     return UserParts(own_obstacles(scenario.world), pilot, estimator, detector)
+
+
+def _named_pilot(given: UserCode) -> UserPilot:
+    return UserPilot(given.code, read_pilot(given.code, builds=bool(given.parameters)))
 
 
 def _named_sensing(
@@ -194,10 +200,21 @@ def _chosen_pilot(
         own = _user_sensing(s, parts, start)
         compiled = tuple(part for part in own if part is not None)
         return _ChosenPilot(partial(cascade_of, advises=advises, own=own), None, compiled)
-    chosen = built_pilot(parts.pilot, pilot_context(s, start))
+    chosen = _built_pilot(s, parts.pilot, start)
     if isinstance(chosen, CompiledPilot):
         return _ChosenPilot(chosen, None, (chosen,))
-    return _ChosenPilot(CompiledPilot(Relay(0.0), thrust), chosen)
+    return _ChosenPilot(CompiledPilot(Relay(0.0), Relay(0.0)), chosen)
+
+
+def _built_pilot(
+    scenario: ScenarioTables, pilot: AnyPilot | UserPilot, start: State
+) -> PlainPilot | CompiledPilot:
+    """The user's own pilot, built for the vehicle and, if the scenario names it, its parameters."""
+    context = pilot_context(scenario, start)
+    if not isinstance(pilot, UserPilot):
+        return built_pilot(pilot, context)
+    assert scenario.pilot is not None  # that is how it was named
+    return built_pilot(pilot.pilot, context, scenario.pilot.parameters, pilot.word)
 
 
 def _user_sensing(scenario: ScenarioTables, parts: UserParts, start: State) -> UserSensing:

@@ -23,7 +23,7 @@ from springback.user_code import CODE_FORM
 PACKAGE = str(Path(__file__).parents[1]) + os.sep
 #: Tables and keys of a scenario that name code; a ``*`` is any entry of a list.
 NAMED_AT: tuple[tuple[str, ...], ...] = (
-    ("pilot",), ("estimator", "code"), ("recovery", "detection", "own", "code"),
+    ("pilot",), ("pilot", "code"), ("estimator", "code"), ("recovery", "detection", "own", "code"),
     ("world", "obstacles", "*", "shape"),
 )  # fmt: skip
 #: Where a scenario may name the file of a vehicle, or of thrusts.
@@ -42,7 +42,7 @@ def with_absolute_names(given: Mapping[str, Any], folder: Path) -> dict[str, Any
     """
     result: Any = given
     for path in NAMED_AT:
-        result = _change_at(result, path, lambda word: _absolute(word, folder))
+        result = _change_at(result, path, lambda word: absolute_code(word, folder))
     for path in FILES_AT:
         result = _change_at(result, path, lambda word: _absolute_file(word, folder))
     return dict(result)
@@ -53,7 +53,8 @@ def _absolute_file(word: Any, folder: Path) -> Any:
     return os.path.abspath(folder / word) if is_file else word
 
 
-def _absolute(word: Any, folder: Path) -> Any:
+def absolute_code(word: Any, folder: Path) -> Any:
+    """Name of code, relative to a folder, as an absolute one; anything else as it is."""
     found = CODE_FORM.match(word) if isinstance(word, str) else None
     if found is None:
         return word

@@ -144,12 +144,12 @@ def degrees(angle: float) -> float:
     return round(math.degrees(angle), 9) + 0.0
 
 
-#: A number, or three, among the arguments of a user's own shape.
+#: A number, or three, among the arguments of a user's own code.
 ARGUMENT = TableField("", float | Triple, (Unit(""),), None, True)
 
 
 def _known_arguments(given: Mapping[str, Any]) -> str:
-    return f"known here: {', '.join(given)}" if given else "the shape is given none"
+    return f"known here: {', '.join(given)}" if given else "the code is given none"
 
 
 def number_at(
@@ -178,7 +178,7 @@ def number_at(
                 raise InputError(f"{name}: the scenario has no {missing}")
             others, node = node, node[key]
             continue
-        if isinstance(node, Mapping):  # arguments of a user's own shape
+        if isinstance(node, Mapping):  # arguments of a user's own code
             if key not in node:
                 raise InputError(f"{name}: unknown parameter {key!r}; {_known_arguments(node)}")
             field, others, node = ARGUMENT, (), node[key]

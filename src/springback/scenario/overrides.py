@@ -11,6 +11,7 @@ from springback.problems import key_path
 from springback.scenario.scenario import Scenario, expand_presets
 from springback.scenario.source_text import MOST_DEPTH, check_depth
 from springback.settings import Settings
+from springback.user_code import CODE_FORM
 
 Key = str | int
 
@@ -124,8 +125,8 @@ def with_value(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
         word: Override, for errors.
     """
     head, *rest = parts
-    if isinstance(node, str):  # a preset's name, to be modified
-        node = {"preset": node}
+    if isinstance(node, str):  # a name alone, of a table to be modified
+        node = _named_table(node)
     if isinstance(head, int):
         if not isinstance(node, list) or head >= len(node):
             raise InputError(f"{shown_value(word)}: there is no entry {head}{_entry_count(node)}")
@@ -134,8 +135,13 @@ def with_value(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
     if not isinstance(node, dict):
         raise InputError(f"{shown_value(word)}: {shown_value(head)} is not inside a table")
     if not rest and isinstance(node.get(head), dict) and isinstance(value, str):
-        value = {"preset": value}
+        value = _named_table(value)
     return {**node, head: with_value(node.get(head, {}), rest, value, word) if rest else value}
+
+
+def _named_table(word: str) -> dict[str, Any]:
+    """Table of a name alone: that of code of the user's own, else of a preset."""
+    return {"code" if CODE_FORM.match(word) else "preset": word}
 
 
 def _entry_count(node: Any) -> str:

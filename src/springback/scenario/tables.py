@@ -23,7 +23,7 @@ from springback.recovery.parameters import RecoverySettings
 from springback.sensing.estimation import EstimatorSettings
 from springback.sensing.parameters import SensorSettings
 from springback.settings import Name, Settings, naming, problem
-from springback.user_code import Arguments, CodeName
+from springback.user_code import Arguments, CodeName, NamedCode
 from springback.vehicle.parameters import Vehicle, check_moments
 
 #: Most planes and shapes of the user's own (chosen: a flight is compiled for each number of them),
@@ -272,8 +272,9 @@ class ScenarioTables(Settings):
     table may be a CSV file, ``"FILE.csv"``: its first line names the columns ``time`` [s] and
     ``thrust1``, ``thrust2``, … [N]; others are not read.
     """
-    pilot: CodeName | None = None
-    """``FILE.py:NAME`` of a pilot of your own, which flies instead of the paper's."""
+    pilot: NamedCode | None = None
+    """``FILE.py:NAME`` of a pilot of your own, which flies instead of the paper's; as a table with
+    ``code`` and ``parameters`` it is a function that returns one."""
     reference: ReferenceSettings | None = None
     """Reference for a pilot; none: the rotors give a constant thrust."""
     control: ControlSettings = ControlSettings()
@@ -297,7 +298,7 @@ class ScenarioTables(Settings):
         """Path and name of each object of the user's own."""
         detector = None if self.recovery is None else self.recovery.detection.own
         named = {
-            "pilot": self.pilot,
+            "pilot": None if self.pilot is None else self.pilot.code,
             "estimator.code": self.estimator.code,
             "recovery.detection.own.code": None if detector is None else detector.code,
         }

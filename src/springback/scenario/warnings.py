@@ -59,7 +59,7 @@ def _warnings_of_the_pilot(scenario: ScenarioTables, own: bool) -> list[str]:
         return _unread(unread, "no pilot flies without a [reference]")
     lag = scenario.vehicle.propulsion.time_constant
     gains = warnings_for(scenario.control, scenario.vehicle.mass, lag)
-    return gains + _circle_shortfalls(scenario) + _two_starts(scenario) + _turned_back(scenario)
+    return gains + _circle_shortfalls(scenario) + _two_starts(scenario) + _turned_away(scenario)
 
 
 def _unread(names: list[str], why: str) -> list[str]:
@@ -78,13 +78,17 @@ def _two_starts(scenario: ScenarioTables) -> list[str]:
     ]
 
 
-def _turned_back(scenario: ScenarioTables) -> list[str]:
+def _turned_away(scenario: ScenarioTables) -> list[str]:
     """A yaw at the start that the run-up does not keep."""
-    yaw = scenario.start.angles()[2]
-    if not isinstance(scenario.reference, RunUpSettings) or abs(yaw) <= TURNED:
+    run_up, yaw = scenario.reference, scenario.start.angles()[2]
+    if not isinstance(run_up, RunUpSettings):
         return []
+    if abs(math.remainder(yaw - run_up.yaw, math.tau)) <= TURNED:
+        return []
+    held = math.degrees(run_up.yaw)
     return [
-        f"start.yaw is {math.degrees(yaw):.3g} deg: a run-up turns the vehicle to yaw 0 on its way"
+        f"start.yaw is {math.degrees(yaw):.3g} deg, and the run-up turns the vehicle to {held:.3g} "
+        "deg on its way: give reference.yaw the same to meet the wall so"
     ]
 
 

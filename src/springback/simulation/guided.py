@@ -39,12 +39,18 @@ from springback.simulation.noise import (
     stored_stream,
 )
 from springback.simulation.onboard import (
+    AlarmReport,
     Avionics,
     OnboardState,
     OnboardSystems,
+    PilotOutput,
     Truth,
+    own_memory,
+    report_after,
+    report_of,
     sensor_step,
     telemetry_of,
+    user_pilot_memory,
 )
 from springback.simulation.record import Model
 from springback.simulation.ticks import (
@@ -52,6 +58,7 @@ from springback.simulation.ticks import (
     FlightBuffers,
     FlightLog,
     Layouts,
+    decides_alone,
     drive_rotors,
     layouts_of,
     sense_and_decide,
@@ -66,8 +73,9 @@ LOOK, DRIVE, FLY = 0, 1, 2
 TICKS = 2_000
 
 Command = tuple[float, ...]
-#: A pilot in plain Python: time [s], measurement, memory → thrust of each rotor [N], memory.
-PlainPilot = Callable[[float, Any, Any], tuple[Command, Any]]
+#: A pilot in plain Python: time [s], measurement, memory → thrust of each rotor [N], memory and, if
+#: it detects collisions, its alarm, 1 or 0.
+PlainPilot = Callable[[float, Any, Any], tuple[Command, Any] | tuple[Command, Any, float]]
 
 
 class TickRange(NamedTuple):
@@ -163,7 +171,7 @@ class AvionicsMemory(NamedTuple):
     weather: Any
 
 
-#: Placeholders for a measurement before tick 0, by types of the sensors; no pilot reads them.
+#: Zeros for a measurement before tick 0, by types of the sensors; what is not revealed stays zero.
 _UNREAD: dict[Any, Any] = {}
 
 
@@ -187,9 +195,10 @@ def avionics_at_start(
     if kind not in _UNREAD:
         truth, noise = Truth(start, start, systems.period, model.world.gravity), (0.0,) * channels
         first = sensor_step(systems.sensors, 0.0, truth, noise, memory.sensors)
-        _UNREAD[kind] = first.measurement
+        _UNREAD[kind] = rebuilt(first.measurement, [0.0] * len(leaves(first.measurement)))
+    pilot = user_pilot_memory(memory.pilot) if decides_alone(systems.pilot) else memory.pilot
     onboard = OnboardState(
-        start, _UNREAD[kind], memory.sensors, memory.pilot, model.thrust, model.thrust,
+        start, _UNREAD[kind], memory.sensors, pilot, model.thrust, model.thrust,
         memory.evaluator, memory.weather,
     )  # fmt: skip
     return Avionics(systems, onboard)
@@ -289,6 +298,7 @@ def fly_guided(
                 memory = _call(pilot, avionics, mailbox, float(at[0]), memory)
                 if trace:  # the row of this tick was written before the pilot's call
                     telemetry[at[0], 1 : 1 + len(mailbox.command)] = mailbox.command
+                    telemetry[at[0], -len(mailbox.report) :] = mailbox.report
         logs.append(log.trajectory.rows[: log.trajectory.used[0]])
         time_now = float(motion[0, record_row])
         check_instants(sum(map(len, logs)), time_now, duration)
@@ -307,33 +317,42 @@ class _Mailbox(NamedTuple):
 
     measurement: Buffer
     command: Buffer
-    relay: Buffer  # memory of the `Relay`
+    report: Buffer  # `AlarmReport` in the memory of the `Relay`
 
 
 def _mailbox(avionics: Avionics, buffer: Buffer) -> _Mailbox:
     onboard, after = avionics.onboard, rows(avionics.systems)
-    firsts = {name: after + row_of(onboard, name) for name in ("measurement", "command", "pilot")}
-    return _Mailbox(*(buffer[k : k + rows(getattr(onboard, n))] for n, k in firsts.items()))
+
+    def part(tree: Any, name: str, before: int) -> Buffer:
+        first = before + row_of(tree, name)
+        return buffer[first : first + rows(getattr(tree, name))]
+
+    report = part(onboard.pilot, "report", after + row_of(onboard, "pilot"))
+    return _Mailbox(part(onboard, "measurement", after), part(onboard, "command", after), report)
 
 
 def _call(
     pilot: PlainPilot, avionics: Avionics, mailbox: _Mailbox, tick: float, memory: Any
 ) -> Any:
-    """Call a plain pilot and write its command; returns its memory."""
+    """Call a plain pilot and write its command and report; returns its memory."""
     measurement = rebuilt(avionics.onboard.measurement, mailbox.measurement.tolist())
-    command, memory = pilot(tick * avionics.systems.period, measurement, memory)
-    thrusts, rotors = [float(thrust) for thrust in command], len(mailbox.command)
+    time = tick * avionics.systems.period
+    said = PilotOutput(*pilot(time, measurement, memory))
+    thrusts, rotors = [float(thrust) for thrust in said.thrust], len(mailbox.command)
     if len(thrusts) != rotors:
         raise ValueError(f"the pilot commands {len(thrusts)} rotors, the vehicle has {rotors}")
-    mailbox.command[:] = mailbox.relay[:] = thrusts
-    return memory
+    mailbox.command[:] = thrusts
+    mailbox.report[:] = report_after(said.alarm, time, AlarmReport(*mailbox.report.tolist()))
+    return said.memory
 
 
 def _telemetry_columns(avionics: Avionics) -> list[str]:
     """Names of the columns of the telemetry."""
-    own = telemetry_of(avionics.systems.pilot, avionics.onboard.pilot)
+    memory = avionics.onboard.pilot
     parts = {
         "command": avionics.onboard.command, "thrust": avionics.onboard.thrust,
-        "measurement": avionics.onboard.measurement, "pilot": own,
+        "measurement": avionics.onboard.measurement,
+        "pilot": telemetry_of(avionics.systems.pilot, own_memory(memory)),
+        "report": report_of(memory),
     }  # fmt: skip
     return ["time", *(name for stem, tree in parts.items() for name in names(tree, stem))]

@@ -17,7 +17,8 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.kernels.compiler import generic, kernel
+from springback.kernels.compiler import compiler_rule, generic, kernel
+from springback.kernels.trees import select
 from springback.kernels.vectors import Vec
 from springback.simulation.record import Contacts
 from springback.vehicle.rotors import Lag, Rotors
@@ -65,10 +66,13 @@ class Draw(NamedTuple):
 
 
 class PilotOutput(NamedTuple):
-    """Command and memory of a pilot."""
+    """Command and memory of a pilot, and the alarm of a detector in it."""
 
     thrust: tuple[float, ...]  # command to each rotor [N]
     memory: Any
+    alarm: float = (
+        0.0  # 1 while it reports a collision, else 0; an alarm is raised where it turns 1
+    )
 
 
 @generic
@@ -94,6 +98,89 @@ def telemetry_of(pilot: Any, memory: Any) -> Any:
 @kernel
 def _no_telemetry(pilot: Any, memory: Any) -> Any:
     return (0.0,)
+
+
+#: Time of an alarm that has not been raised yet.
+NOT_YET = -1.0
+
+
+class AlarmReport(NamedTuple):
+    """Alarm that a pilot of the user's own reports."""
+
+    alarm: float  # 1 while it reports a collision, else 0
+    raised: float  # time at which it last turned 1 [s], `NOT_YET` before
+
+
+class UserPilotMemory(NamedTuple):
+    """Memory of a pilot of the user's own, and what it reports."""
+
+    own: Any
+    report: AlarmReport
+
+
+def user_pilot_memory(own: Any) -> UserPilotMemory:
+    """Memory before tick 0, given that of the pilot."""
+    return UserPilotMemory(own, AlarmReport(0.0, NOT_YET))
+
+
+class NoReport(NamedTuple):
+    """Report of springback's own pilots, whose telemetry has their alarms."""
+
+
+@generic
+def own_memory(memory: Any) -> Any:
+    """Memory of a pilot itself, without what is kept beside it."""
+    return memory
+
+
+@own_memory.register(object)
+@kernel
+def _whole_memory(memory: Any) -> Any:
+    return memory
+
+
+@own_memory.register(UserPilotMemory)
+@kernel
+def _memory_within(memory: UserPilotMemory) -> Any:
+    return memory.own
+
+
+@generic
+def report_of(memory: Any) -> Any:
+    """What a pilot of the user's own reports, from its memory; `NoReport` of others."""
+    return NoReport()
+
+
+@report_of.register(object)
+@kernel
+def _no_report(memory: Any) -> NoReport:
+    return NoReport()
+
+
+@report_of.register(UserPilotMemory)
+@kernel
+def _report(memory: UserPilotMemory) -> AlarmReport:
+    return memory.report
+
+
+@kernel
+def report_after(alarm: float, time: float, before: AlarmReport) -> AlarmReport:
+    """Report after a tick, given the pilot's alarm, the time [s] and the report before."""
+    reports = alarm > 0.5
+    rises = reports & (before.alarm < 0.5)
+    return AlarmReport(select(reports, 1.0, 0.0), select(rises, time, before.raised))
+
+
+def alarm_of(output: PilotOutput) -> float:
+    """Alarm of an output; compiled code has none where the pilot left it out."""
+    return output.alarm
+
+
+@compiler_rule(alarm_of)
+def _alarm_by_type(output: Any) -> Any:
+    if len(output.types) == len(PilotOutput._fields):
+        return lambda output: output.alarm
+    return lambda output: 0.0
 
 
 class NoEvaluator(NamedTuple):
@@ -122,15 +209,9 @@ def evaluator_step(
 
 
 class Relay(NamedTuple):
-    """Stand-in for a pilot in plain Python, whose commands are written from outside."""
+    """Stand-in for a pilot in plain Python, whose command and report are written from outside."""
 
     unused: float
-
-
-@pilot_step.register(Relay)
-@kernel
-def _relay(pilot: Relay, time: float, measurement: Any, memory: Any) -> PilotOutput:
-    return PilotOutput(memory, memory)
 
 
 class OnboardSystems(NamedTuple):

@@ -34,9 +34,14 @@ from springback.simulation.lanes import places
 from springback.simulation.onboard import (
     NoEvaluator,
     PilotOutput,
+    Relay,
     Truth,
+    alarm_of,
     evaluator_step,
+    own_memory,
     pilot_step,
+    report_after,
+    report_of,
     sensor_step,
     telemetry_of,
 )
@@ -177,9 +182,21 @@ def _decide_one_by_one(pilot: TreeLayout, lanes: Lanes) -> None:
     for i in range(w):
         time = tick * load(avionics.systems.period, g, w, i)
         measurement, before = load(memory.measurement, g, w, i), load(memory.pilot, g, w, i)
-        output = pilot_step(load(pilot, g, w, i), time, measurement, before)
-        store(output.memory, memory.pilot, g, w, i)
+        output = pilot_step(load(pilot, g, w, i), time, measurement, before.own)
+        store(output.memory, memory.pilot.own, g, w, i)
+        store(report_after(alarm_of(output), time, before.report), memory.pilot.report, g, w, i)
         store(output.thrust, memory.command, g, w, i)
+
+
+@decide.register(Relay)
+@kernel
+def _decide_outside(pilot: TreeLayout, lanes: Lanes) -> None:
+    return
+
+
+def decides_alone(pilot: Any) -> bool:
+    """True for a pilot that is called for one flight at a time, as the user's own are."""
+    return decide.dispatch(type(pilot)) in (decide.dispatch(object), _decide_outside)
 
 
 class _Settings(NamedTuple):
@@ -261,7 +278,7 @@ def _status_after(thrust: tuple[float, ...], status: float) -> float:
 def write_telemetry(lanes: Lanes, row: Buffer) -> None:
     """Write a row of the telemetry of a single flight.
 
-    Its columns are time, command, thrust, measurement and the pilot's telemetry.
+    Its columns are time, command, thrust, measurement, the pilot's telemetry and its report.
     """
     avionics, g, _, _, tick = lanes
     memory = avionics.onboard
@@ -271,15 +288,17 @@ def write_telemetry(lanes: Lanes, row: Buffer) -> None:
     write(command, row, 1, 1, 0)
     write(thrust, row, 1 + n, 1, 0)
     write(load(memory.measurement, g, 1, 0), row, 1 + 2 * n, 1, 0)
-    telemetry = telemetry_of(load(avionics.systems.pilot, g, 1, 0), load(memory.pilot, g, 1, 0))
+    remembered = load(memory.pilot, g, 1, 0)
+    telemetry = telemetry_of(load(avionics.systems.pilot, g, 1, 0), own_memory(remembered))
     write(telemetry, row, 1 + 2 * n + measured, 1, 0)
+    write(report_of(remembered), row, 1 + 2 * n + measured + rows(telemetry), 1, 0)
 
 
 @executor(nogil=True)
 def sense_and_decide(
     layouts: Layouts, buffers: FlightBuffers, tick: int, drawn: Buffer, log: FlightLog
 ) -> None:
-    """Run sensors, pilots and evaluators of a group at a tick.
+    """Run sensors and pilots of a group at a tick.
 
     Args:
         layouts: Of the buffers.
@@ -297,7 +316,6 @@ def sense_and_decide(
     for i in range(w * once):
         store(state_of(group, i), memory.before, g, w, i)
     decide(settings.pilot, group.lanes)
-    evaluate(settings.evaluator, group)
     row = places(shape, w).status
     for i in range(w * once):
         status = read(shape.record.stepping.status, b, row, w, i)
@@ -315,7 +333,9 @@ def drive_rotors(
     log: FlightLog,
     duration: float,
 ) -> None:
-    """Set thrust and wind of every lane until the next tick: rotors follow their commands.
+    """Run the evaluators; set thrust and wind until the next tick: rotors follow their commands.
+
+    Evaluators come after pilots in plain Python, which are called between the two executors.
 
     Args:
         layouts: Of the buffers.
@@ -329,6 +349,7 @@ def drive_rotors(
     g, b, shape = buffers.onboard, buffers.motion, layouts.shape
     settings, memory = layouts.avionics.systems, layouts.avionics.onboard
     model, row, first = shape.model, places(shape, w).status, rows(layouts.channels)
+    evaluate(settings.evaluator, Group(Lanes(layouts.avionics, g, w, once, now), shape, b))
     for i in range(w * once):
         thrust, command = load(memory.thrust, g, w, i), load(memory.command, g, w, i)
         period = load(settings.period, g, w, i)

@@ -21,10 +21,16 @@ from springback.results.flight import Flight, as_scenario, fly
 from springback.scenario.avionics import CompiledPilot, propulsion_of
 from springback.scenario.build import pilot_context
 from springback.scenario.scenario import Scenario
-from springback.scenario.user.pilots import built_pilot, chosen_pilot
+from springback.scenario.user.pilots import (
+    NO_PARAMETERS,
+    built_pilot,
+    chosen_pilot,
+    read_pilot,
+)
 from springback.sensing.measurement import Measurement, Pose
 from springback.simulation.guided import PlainPilot
-from springback.simulation.onboard import pilot_step
+from springback.simulation.onboard import PilotOutput, pilot_step
+from springback.user_code import UserCode
 
 #: The bounds of all properties are chosen.
 DURATION = 3.0  # of each flight [s]
@@ -60,6 +66,7 @@ def check_pilot(
     pilot: PlainPilot | CompiledPilot | str,
     scenario: Scenario | Mapping[str, Any] | str | Path | None = None,
     *,
+    parameters: Mapping[str, Any] = NO_PARAMETERS,
     progress: Progress = silent,
 ) -> Findings:
     """Check the properties that every pilot should have.
@@ -68,16 +75,18 @@ def check_pilot(
         pilot: As for `springback.fly`: a function, an `CompiledPilot`, or ``"file.py:name"``.
         scenario: Whose vehicle, sensors and start are used; at rest at its start the pilot must
             hover.  By default `quad` at [0, 0, 1] m.
+        parameters: Arguments of a function that returns the pilot, in SI.
         progress: Called with the fraction of the properties done.
 
     Raises:
         InputError: If the scenario, or the file of the pilot, cannot be used.
     """
-    own = chosen_pilot(pilot)
+    word, arguments = pilot if isinstance(pilot, str) else "", _read_arguments(parameters)
+    own = read_pilot(word, builds=bool(arguments)) if word else chosen_pilot(pilot)
     if own is None:
         raise InputError("pilot must be given: a function, a CompiledPilot, or 'file.py:name'")
     ready = _at_rest(as_scenario(scenario or {"name": "check", "vehicle": "quad"}, (), True))
-    own = built_pilot(own, pilot_context(ready, ready.start_state()))
+    own = built_pilot(own, pilot_context(ready, ready.start_state()), arguments, word)
     asked = _as_plain(own)
     calls: list[Call] = []
     properties: list[Callable[[], Finding]] = [
@@ -101,15 +110,20 @@ def check_pilot(
     return findings
 
 
+def _read_arguments(parameters: Mapping[str, Any]) -> dict[str, Any]:
+    """Arguments of a builder in SI, as a scenario reads them."""
+    return UserCode(code="pilot.py:pilot", parameters=dict(parameters)).parameters
+
+
 def _as_plain(pilot: PlainPilot | CompiledPilot) -> PlainPilot:
     """A pilot as a plain function whose memory is None at first."""
     if not isinstance(pilot, CompiledPilot):
         return pilot
     law, settings, first = pilot_step.dispatch(type(pilot.settings)), pilot.settings, pilot.memory
 
-    def asked(time: float, measurement: Any, memory: Any) -> tuple[tuple[float, ...], Any]:
-        said = law(settings, time, measurement, first if memory is None else memory)
-        return said.thrust, said.memory
+    def asked(time: float, measurement: Any, memory: Any) -> PilotOutput:
+        said: PilotOutput = law(settings, time, measurement, first if memory is None else memory)
+        return said
 
     asked.__wrapped__ = law  # type: ignore[attr-defined]
     return asked
@@ -149,10 +163,10 @@ def _flight_finding(name: str, judge: Callable[[], tuple[bool, str]]) -> Finding
 
 
 def _hovers(pilot: PlainPilot, scenario: Scenario, calls: list[Call]) -> Finding:
-    def noting(time: float, measurement: Any, memory: Any) -> tuple[Any, Any]:
-        thrusts, after = pilot(time, measurement, memory)
-        calls.append(Call(time, measurement, tuple(thrusts)))
-        return thrusts, after
+    def noting(time: float, measurement: Any, memory: Any) -> Any:
+        said = pilot(time, measurement, memory)
+        calls.append(Call(time, measurement, tuple(said[0])))
+        return said
 
     def judge() -> tuple[bool, str]:
         flight = fly(scenario, pilot=_with_location(noting, pilot))
@@ -193,7 +207,7 @@ def _recovers(pilot: PlainPilot, scenario: Scenario) -> Finding:
 def _bridges(pilot: PlainPilot, scenario: Scenario) -> Finding:
     held: list[tuple[float, Pose]] = []
 
-    def blinded(time: float, measurement: Any, memory: Any) -> tuple[Any, Any]:
+    def blinded(time: float, measurement: Any, memory: Any) -> Any:
         if time < GAP_BEGINS or not held:
             held[:] = [(time, measurement.pose)]
         elif time < GAP_BEGINS + GAP:
@@ -252,7 +266,7 @@ def _again(
     memory, largest, first = None, 0.0, math.nan
     for call in calls:
         asked = changed(call)
-        thrusts, memory = pilot(asked.time, asked.measurement, memory)
+        thrusts, memory, *_ = pilot(asked.time, asked.measurement, memory)
         differences = np.abs(np.array(tuple(thrusts)) - np.array(call.thrusts))
         worst = float(np.nan_to_num(differences, nan=math.inf).max())
         first = call.time if worst > 0.0 and math.isnan(first) else first
@@ -327,7 +341,7 @@ def _keeps_memory(pilot: PlainPilot, calls: list[Call]) -> Finding:
     for call in calls:
         try:
             before = pickle.dumps(memory)
-            _, after = pilot(call.time, call.measurement, memory)
+            _, after, *_ = pilot(call.time, call.measurement, memory)
             changed = pickle.dumps(memory) != before
         except Exception as error:
             return Finding(name, False, f"memory cannot be compared: {error}")

@@ -9,11 +9,12 @@ from typing import NamedTuple
 import numpy as np
 
 from springback.contact.parameters import PlaneSettings
+from springback.control.position import heading
 from springback.control.reference_parameters import RunUpSettings
-from springback.frames import attitude_from_euler
-from springback.kernels.vectors import Quat, Vec, rotation
+from springback.kernels.vectors import Vec, quaternion_of, rotation
 from springback.scenario.fields import degrees
 from springback.scenario.scenario import Scenario
+from springback.scenario.tables import ScenarioTables
 from springback.scenario.warnings import scenario_warnings
 from springback.vehicle.endurance import hover_time
 from springback.vehicle.parameters import Arms, Vehicle
@@ -66,7 +67,26 @@ def derived_numbers(scenario: Scenario) -> list[ScenarioQuantity]:
             "share of the wall's normal force, cos θ − μ sin θ; "
             f"arm {approach.arm + 1} at θ = {degrees(approach.angle):.3g} deg to the normal",
         ))  # fmt: skip
+        least = least_deceleration(scenario)
+        if least > 0.0:
+            found.append(ScenarioQuantity(
+                "least peak deceleration", least, "m/s^2", "v²/(2 s): to stop from this speed "
+                "within the stroke, at a constant force; a spring alone peaks at twice that",
+            ))  # fmt: skip
     return found
+
+
+def least_deceleration(scenario: ScenarioTables) -> float:
+    """Least peak deceleration with which the first wall's foremost arm can stop the body [m/s²].
+
+    v²/(2 s), that of a constant force over the whole stroke s; the surface is taken as hard.  0 if
+    no compliant arm meets a wall ahead.
+    """
+    approach = approach_to_wall(scenario)
+    if approach is None or not scenario.vehicle.arms.at("compliant", approach.arm):
+        return 0.0
+    speed = max(approach.speed, 0.0)
+    return float(speed * speed / (2.0 * scenario.vehicle.arms.at("stroke", approach.arm)))
 
 
 def check_warnings(scenario: Scenario) -> list[str]:
@@ -196,7 +216,7 @@ def _touching_share(arms: Arms, i: int, j: int) -> float | None:
 # -- the approach ---------------------------------------------------------------------------------
 
 
-def approach_to_wall(scenario: Scenario) -> WallApproach | None:
+def approach_to_wall(scenario: ScenarioTables) -> WallApproach | None:
     """Approach to the first wall or mat at the attitude of the start; None if there is none."""
     wall = _first_wall(scenario)
     if wall is None:
@@ -205,8 +225,8 @@ def approach_to_wall(scenario: Scenario) -> WallApproach | None:
     into = wall.plane().normal * -1.0
     speed, attitude = Vec(*start.velocity) @ into, start.attitude()
     if isinstance(reference, RunUpSettings):
-        roll, _, yaw = start.angles()
-        speed, attitude = reference.speed, Quat(*attitude_from_euler(roll, reference.pitch, yaw))
+        tilt = Vec(math.sin(reference.pitch), 0.0, math.cos(reference.pitch))
+        speed, attitude = reference.speed, quaternion_of(heading(tilt, reference.yaw).axes)
     ahead = into @ rotation(attitude)  # in body axes
     angles = [math.atan2(ahead.y, ahead.x) - direction for direction in arms.directions]
     reaches = [arms.at("length", j) * math.cos(angle) for j, angle in enumerate(angles)]
@@ -217,7 +237,7 @@ def approach_to_wall(scenario: Scenario) -> WallApproach | None:
     return WallApproach(float(speed), first, angle, along)
 
 
-def _first_wall(scenario: Scenario) -> PlaneSettings | None:
+def _first_wall(scenario: ScenarioTables) -> PlaneSettings | None:
     walls = (one for one in scenario.world.obstacles if isinstance(one, PlaneSettings))
     return next(walls, None)
 
@@ -249,5 +269,5 @@ def _vehicle_warnings(scenario: Scenario) -> Iterator[str]:
     elif vehicle.arms.end_stops and approach.speed > (most := stop_speed(vehicle, approach.arm)):
         yield (
             f"at {approach.speed:g} m/s the stroke of arm {approach.arm + 1} is used up, by an "
-            f"estimate from {most:.3g} m/s on"
+            f"estimate from {most:.3g} m/s on; v²/(2 s) is {least_deceleration(scenario):.4g} m/s²"
         )

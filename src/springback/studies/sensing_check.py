@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Mapping
 from typing import Any
 
 from springback.errors import InputError
+from springback.recovery.detector import DetectorStep
 from springback.recovery.parameters import RecoverySettings
 from springback.results.estimate_errors import estimate_errors
-from springback.results.flight import Flight, guided_flight
+from springback.results.flight import Flight, first_inputs, guided_flight
 from springback.scenario.avionics import CompiledDetector, CompiledEstimator
 from springback.scenario.build import UserParts, pilot_context
 from springback.scenario.scenario import Scenario, scenario_from
+from springback.scenario.user.laws import home_of
 from springback.scenario.user.sensing import Part, read_sensing
 from springback.sensing.estimation import EstimatorSettings
+from springback.sensing.measurement import Estimate, EstimatorStep
 from springback.simulation.measures import Outcome
 from springback.studies.pilot_check import Finding
 from springback.studies.run_ups import run_up_scenario
@@ -48,6 +52,50 @@ def sensing_kind(found: Any, parameters: Mapping[str, Any]) -> type[Part] | None
             return None
     kinds: tuple[type[Part], ...] = (CompiledEstimator, CompiledDetector)
     return next((kind for kind in kinds if isinstance(found, kind)), None)
+
+
+def refuse_plain_sensing(found: Any, word: str) -> None:
+    """Reject a function that is an estimator or a detector itself, in plain Python.
+
+    Args:
+        found: The object of a user's file.
+        word: Its name, ``file.py:name``.
+
+    Raises:
+        InputError: If it is one, by its annotations or by what it returns, with file and line.
+    """
+    if not callable(found) or isinstance(found, type):
+        return
+    what = next((word for word, kinds in _RETURNED.items() if _returns(found, kinds)), None)
+    if what is not None:
+        file, line = home_of(found)
+        step = f"{what.rpartition(' ')[2]}_step"
+        raise InputError(
+            f"{file}:{line}: {word.rpartition(':')[2]} is {what} in plain Python; it runs within "
+            f"springback's pilot, so it must be compiled: register {step} for a type of settings, "
+            f"and name a {_COMPILED[what]}, as springback new {what.rpartition(' ')[2]} writes one"
+        )
+
+
+#: What a step of each returns, and the class to be named instead.
+_RETURNED = {"an estimator": (EstimatorStep, Estimate), "a detector": (DetectorStep,)}
+_COMPILED = {"an estimator": "CompiledEstimator", "a detector": "CompiledDetector"}
+
+
+def _returns(found: Any, kinds: tuple[type[Any], ...]) -> bool:
+    """True if a function says that it returns one of some types, or does so in hover."""
+    said = getattr(found, "__annotations__", {}).get("return")
+    named = said.rpartition(".")[2] if isinstance(said, str) else getattr(said, "__name__", "")
+    if named in {kind.__name__ for kind in kinds}:
+        return True
+    built = scenario_from({**HOVER, "recovery": {}}).build().built_avionics
+    assert built is not None  # it has a reference
+    inputs = first_inputs(built.avionics)
+    for seen in (inputs.measurement, inputs):
+        with contextlib.suppress(Exception, SystemExit):  # whatever it is, it is none of these
+            if isinstance(found(0.0, seen, None), kinds):
+                return True
+    return False
 
 
 def check_sensing(

@@ -283,6 +283,26 @@ def test_a_row_replayed(place: Path, here: Here) -> None:
         assert "holds the kept flights 12; replay one: springback view whole 12" in line
 
 
+def test_limits_conditions_and_levels_are_summed_up(place: Path, here: Here) -> None:
+    limit = "impact_peak_acceleration < 300 m/s^2"
+    words = ("--by", "speed", "--limit", limit, "--limit", "not hit_ground")
+    done = here("summary", "whole", *words, "--where", "robot = arq", "--json")
+    assert done.returncode == 0, done.stderr
+    told = json.loads(done.stdout)
+    assert told["where"] == ["robot = arq"]
+    [worst] = told["worst_cases"]
+    assert list(worst["robots"]) == ["arq"]
+    for cell in worst["robots"]["arq"]["cells"]:
+        assert (cell["worst"][0] < 300.0) == (cell["keep"][0] == cell["flights"])
+    assert [one["field"] for one in told["by"]] == ["surface"]
+    text = here("summary", "whole", *words, "--where", "speed < 1.2 m/s").stdout
+    assert f"keeps {limit} and not hit_ground in every flight" in text
+    assert "only flights with: speed < 1.2 m/s" in text
+    assert "by surface" in text
+    pairs = here("summary", "whole", "--by", "speed,surface", "--limit", limit)
+    assert "The worst case is over all repeats" in pairs.stdout, pairs.stderr
+
+
 def test_a_dry_run_leaves_nothing(place: Path, here: Here) -> None:
     before = sorted(place.iterdir())
     done = here("campaign", "plan.toml", "samples=1000000", "--dry-run")
@@ -309,6 +329,15 @@ def test_a_dry_run_leaves_nothing(place: Path, here: Here) -> None:
         (("query", "whole", "SELECT 1", "--out", "x.xlsx"), "must end in"),
         (("refly", "whole", "300"), "from 0 to 299"),
         (("summary", "whole", "--map", "speed"), "give two fields"),
+        (("summary", "whole", "--limit", "arm_strok < 2 mm"), "--limit .*did you mean arm_stroke"),
+        (("summary", "whole", "--limit", "recovered", "--by", "sped"), "--by sped: is not varied"),
+        (("summary", "whole", "--by", "speed,surface"), "two fields need --limit"),
+        (
+            ("summary", "whole", "--where", "speed > 9 m/s"),
+            "--where speed > 9 m/s: no flight is so",
+        ),
+        (("summary", "whole", "--share", "0"), "--share: must be above 0 and at most 1"),
+        (("summary", "whole", "--share", "0.9"), "--share needs --limit"),
         (("summary", "whole", "--cells", "4"), "--cells needs --out"),
         (("summary", "whole", "--measure", "contact_tim"), "--measure .*did you mean contact_time"),
         (("campaign", "plan.toml", "success=['speed < 2 N']", "--out", "new"), "wrong unit"),

@@ -76,7 +76,7 @@ def test_a_wrong_obstacle_fails_with_its_reason(tmp_path: Path) -> None:
         (["Pole", "x=2"], "does not take them"),
         (["Pole", "x=2", "y=[1, 2]", "radius=1"], "y"),
         (["POLE", "x=2"], "takes none"),
-        (["main", "x=2"], "without KEY=VALUE"),
+        (["main", "x=2"], "main does not take a PilotContext, x"),
         (["nothing"], "has no 'nothing'"),
         (["POLE", "a.toml", "b.toml"], "one scenario"),
     ],
@@ -96,3 +96,76 @@ def test_a_scenario_whose_code_cannot_be_used_is_refused(
     monkeypatch.setenv("SPRINGBACK_TRUST", str(tmp_path))
     with pytest.raises(InputError, match="there is no such file"):
         check(str(path))
+
+
+def test_a_plan_says_which_limit_no_spring_can_keep_to(tmp_path: Path) -> None:
+    shutil.copy(EXAMPLES / "own_vehicle.toml", tmp_path)
+    plan = tmp_path / "plan.toml"
+    plan.write_text(
+        'method = "grid"\nscenario = "own_vehicle.toml"\n'
+        'success = ["impact_peak_specific_force < 10 gn", "impact_arm_stroke < 30 mm"]\n'
+        '[[vary]]\nfield = "start.velocity.0"\nfrom = 1.0\nto = 3.0\ncount = 3\n'
+    )
+    said = check(str(plan)).stderr
+    assert "below 98.07 m/s², and in 1 of 3 flights no spring can stop the body so gently" in said
+    assert "flight 2 meets the wall at 3 m/s, and with s = 35 mm v²/(2 s) is 128.6 m/s²" in said
+    for words in ("< 128.7 m/s^2", "> 10 gn"):
+        condition = f'success=["impact_peak_specific_force {words}"]'
+        assert "no spring" not in check(str(plan), condition).stderr
+    numbers = json.loads(check(str(tmp_path / "own_vehicle.toml"), "--json").stdout)["derived"]
+    [least] = [one["value"] for one in numbers if one["name"] == "least peak deceleration"]
+    assert least == pytest.approx(2.0**2 / (2.0 * 0.035))
+
+
+PLAIN = """
+from __future__ import annotations
+import springback
+from springback import DetectorStep, Estimate, PilotContext, Vec
+ZERO = Vec(0.0, 0.0, 0.0)
+
+def jolt(time, inputs, memory):
+    force = inputs.measurement.inertial.specific_force
+    return DetectorStep(1.0 if force.x < -20.0 else 0.0, ZERO, memory)
+
+def law(detector, time, inputs, memory) -> springback.DetectorStep:
+    return DetectorStep(0.0, ZERO, memory)
+
+def blend(time, measurement, memory):
+    pose = measurement.pose
+    return Estimate(pose.position, pose.attitude, ZERO, ZERO)
+
+def hover(context: PilotContext, thrust):
+    return lambda time, measurement, memory: ((thrust,) * 4, memory)
+"""
+
+
+@pytest.mark.parametrize(
+    ("name", "line", "what", "compiled"),
+    [
+        ("jolt", 7, "a detector", "CompiledDetector"),
+        ("law", 11, "a detector", "CompiledDetector"),
+        ("blend", 14, "an estimator", "CompiledEstimator"),
+    ],
+)
+def test_a_plain_detector_or_estimator_is_told_to_be_compiled(
+    tmp_path: Path, name: str, line: int, what: str, compiled: str
+) -> None:
+    """Was: checked as a pilot, of which eight properties failed."""
+    path = tmp_path / "mine.py"
+    path.write_text(PLAIN)
+    with pytest.raises(InputError) as caught:
+        check(f"{path}:{name}")
+    [said] = caught.value.problems
+    assert said.startswith(f"{path}:{line}: {name} is {what} in plain Python; it runs within ")
+    assert f"name a {compiled}, as springback new {what.split()[1]} writes one" in said
+
+
+def test_a_pilot_is_checked_with_its_parameters(tmp_path: Path) -> None:
+    path = tmp_path / "mine.py"
+    path.write_text(PLAIN)
+    (tmp_path / "short.toml").write_text('vehicle = "quad"\n')
+    words = ["check", f"{path}:hover", "thrust=3", str(tmp_path / "short.toml")]
+    done = CliRunner().invoke(cli, words)
+    assert "its 4 thrusts in hover are 3 to 3 N" in done.stdout
+    with pytest.raises(InputError, match="hover does not take a PilotContext, gain"):
+        check(f"{path}:hover", "gain=3")

@@ -79,7 +79,7 @@ def test_a_pilot_is_one_and_its_scenario_can_be_flown_by_it(compiled: bool) -> N
     assert isinstance(pilot, CompiledPilot) is compiled
     scenario = springback.read_scenario("mine.toml")
     assert scenario.simulation.duration == 3.0
-    assert scenario.pilot == f"{Path.cwd() / 'mine.py'}:hover"
+    assert scenario.code == [("pilot", f"{Path.cwd() / 'mine.py'}:hover")]
     assert scenario.build().built_avionics is not None
     assert "own_pilot" not in Path("mine.py").read_text()
 

@@ -366,3 +366,74 @@ def test_a_scenario_of_ones_own_is_changed_swept_and_refused(browser: Any, tmp_p
             in browser.find_element(CSS, "[data-name=stiffness]").text
         )
         assert [text for text in errors(browser) if "503" not in text] == []
+
+
+HEXAROTOR = """
+name = "hexarotor"
+thrust = "hover"
+[vehicle]
+name = "Hexarotor of 600 g"
+[vehicle.body]
+mass = "0.42 kg"
+inertia = [2e-3, 2e-3, 3.5e-3]
+[vehicle.arms]
+directions = ["0 deg", "60 deg", "120 deg", "180 deg", "-120 deg", "-60 deg"]
+length = "0.18 m"
+mass = "30 g"
+cage_radius = "0.07 m"
+stiffness = "3 N/mm"
+damping = "30 N s/m"
+stroke = "25 mm"
+spin = [1, -1, 1, -1, 1, -1]
+[start]
+position = ["2.3 m", 0, "1 m"]
+velocity = ["2 m/s", 0, 0]
+[simulation]
+duration = "0.2 s"
+[[world.obstacles]]
+type = "wall"
+distance = "2.75 m"
+surface = "wall"
+"""
+
+
+def test_a_hexarotor_of_ones_own_is_flown_and_swept_on_both_screens(
+    browser: Any, tmp_path: Path
+) -> None:
+    path = tmp_path / "hexarotor.toml"
+    path.write_text(HEXAROTOR, encoding="utf-8")
+    state = "return window.springback.sweep.state()"
+    with served_lab(user_settings(read_user_scenario(path))) as port:
+        try:
+            for width, height in ((1440, 900), (390, 844)):
+                resized(browser, width, height)
+                of = "sweep=stiffness,impact_peak_acceleration"
+                browser.get("about:blank")
+                opened(browser, f"http://127.0.0.1:{port}/#{of}")
+                assert shown(browser)["outcomes"].startswith("Hexarotor of 600 g hits the wall")
+                assert shown(browser)["settings"]["arm_count"] == 6
+                fits = "return document.documentElement.scrollWidth"
+                assert browser.execute_script(fits) <= width
+                until(lambda: browser.execute_script(state)["curve"], "the sweep")
+                [before] = browser.execute_script(state)["points"]
+                if width < 600:
+                    browser.find_element(ID, "drawer").click()
+                control = until(
+                    lambda: browser.find_element(ID, "set-stiffness").is_displayed(), "a control"
+                )
+                assert control
+                pane = browser.find_element(CSS, ".settings").rect
+                buttons = browser.find_elements(CSS, ".settings .choice button")
+                boxes = [button.rect for button in buttons if button.is_displayed()]
+                assert len(boxes) >= 6
+                for box in boxes:  # names may be long
+                    assert box["width"] >= 30
+                    assert box["x"] + box["width"] <= pane["x"] + pane["width"] - 12
+                slide(browser, "stiffness", 800)
+                until(lambda: "stiffness=" in shown(browser)["query"], "a stiffer one")
+                [after] = browser.execute_script(state)["points"]
+                assert after["x"] > before["x"]
+                assert browser.execute_script(fits) <= width
+                assert errors(browser) == []
+        finally:
+            resized(browser, 1000, 700)

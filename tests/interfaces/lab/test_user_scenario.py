@@ -219,7 +219,7 @@ def test_of_a_run_up_an_impact_takes_speed_and_pitch_at_the_wall(tmp_path: Path)
 
 OWN_CODE = """
 vehicle = {preset = "frame.toml", body = {mass = "1.3 kg"}, propulsion = {max_thrust = 8}}
-pilot = "pilots.py:mine"
+pilot = { code = "pilots.py:mine", parameters = { gain = 2.0 } }
 estimator = {type = "own", code = "sensing.py:estimator"}
 [recovery.detection.own]
 code = "sensing.py:detector"
@@ -245,7 +245,9 @@ def test_code_and_a_vehicle_file_of_ones_own_are_found_beside_the_scenario(tmp_p
     assert (table().mode, table().body_mass, table.user.label) == ("impact", 1.3, "frame")
     assert table.user.target is table.user.scenario.world.obstacles[1]
     as_file = lab_scenario(setting(table, mode="file", length=230, surface="wall"), "mine")
-    assert as_file.pilot == f"{tmp_path / 'pilots.py'}:mine"
+    assert as_file.pilot is not None
+    assert as_file.pilot.code == f"{tmp_path / 'pilots.py'}:mine"
+    assert as_file.pilot.parameters == {"gain": 2.0}
     assert as_file.estimator.code == f"{tmp_path / 'sensing.py'}:estimator"
     assert as_file.recovery is not None
     assert as_file.recovery.detection.own is not None

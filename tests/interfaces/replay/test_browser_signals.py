@@ -247,6 +247,38 @@ def test_five_flights_have_names_and_can_be_hidden(clean: Any, flights: list[Fli
     assert complaints(driver) == []
 
 
+@pytest.mark.parametrize(("width", "height"), [(1440, 900), (390, 844)])
+def test_five_flights_with_added_signals_fit_on_the_screen(
+    clean: Any, flights: list[Flight], width: int, height: int
+) -> None:
+    driver = clean
+    resized(driver, width, height)
+    try:
+        choice = [["l1"], ["est_vx", "ref_vx", "vx"], ["fn1"], ["imu_ax"], ["phase"]]
+        driver.execute_script("window.springback.plots.choose(arguments[0])", choice)
+        key(driver, "t")
+        assert driver.execute_script("return document.documentElement.scrollWidth") <= width
+        plots = driver.find_elements("css selector", ".plots .uplot")
+        assert len(plots) == len(choice)
+        for plot in plots:
+            box = plot.rect
+            assert 0 <= box["x"] <= box["x"] + box["width"] <= width
+        keys = [one for one in driver.find_elements("css selector", ".plot-key") if one.text]
+        assert len(keys) == 5 + 7 + 5 + 1 + 1
+        for one in keys:
+            driver.execute_script("arguments[0].scrollIntoView({block: 'center'})", one)
+            assert 0 <= one.rect["x"] <= one.rect["x"] + one.rect["width"] <= width
+        heads = driver.find_elements("css selector", ".numbers thead th[scope=col]")
+        assert [head.text for head in heads] == NAMES  # no word is broken
+        lines = "return arguments[0].clientHeight"
+        assert max(driver.execute_script(lines, head) for head in heads) < 30
+        values = shown(driver)["fn1"]["values"]
+        assert set(values) == set(NAMES)
+        assert complaints(driver) == []
+    finally:
+        resized(driver, 1000, 720)
+
+
 def test_keys_choose_the_view_and_the_link_brings_it_back(clean: Any, page: Path) -> None:
     driver = clean
     for name, mode in zip(

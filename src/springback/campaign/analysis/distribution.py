@@ -65,7 +65,7 @@ def distribution(campaign: Campaign, name: str) -> MeasureDistribution:
             has.
     """
     what, values, flown = measure_column(campaign, name), {}, {}
-    for robot in campaign.metadata["robots"]:
+    for robot in campaign.robots:
         sql = f"""SELECT {identifier(what.name)}::DOUBLE AS value FROM flights
                   WHERE robot = ? AND outcome <> 'refused'"""
         found = campaign.arrays(sql, [robot])["value"]

@@ -37,6 +37,19 @@ class Scale(NamedTuple):
         """Number of cells."""
         return len(self.labels) or len(self.edges) - 1
 
+    def bounds(self, cell: int) -> tuple[float, float]:
+        """Bounds of a cell in SI; a level twice, of words its number."""
+        if not self.labels:
+            return self.edges[cell], self.edges[cell + 1]
+        level = self.edges[cell] if self.edges else float(cell)
+        return level, level
+
+    def named_cell(self, cell: int) -> dict[str, Any]:
+        """Plain data that name a cell: its word, or its bounds."""
+        if self.labels and not self.edges:
+            return {"level": self.labels[cell]}
+        return dict(zip(("from", "to"), self.bounds(cell), strict=True))
+
 
 def fields_of(campaign: Campaign, *, scatter: bool = False) -> list[str]:
     """Names of the fields that the plan varies; with ``scatter`` also the scattered ones."""
@@ -186,9 +199,7 @@ def marginal(campaign: Campaign, name: str, cells: int = 12, *, measure: str = S
         InputError: If the field was not varied, or there is no such measure.
     """
     what, cut = measure_column(campaign, measure), scale(campaign, name, cells)
-    robots = {
-        robot: tuple(_along(campaign, what, cut, robot)) for robot in campaign.metadata["robots"]
-    }
+    robots = {robot: tuple(_along(campaign, what, cut, robot)) for robot in campaign.robots}
     return Marginal(what, cut, robots)
 
 
@@ -255,7 +266,7 @@ def field_map(
     sql = f"""SELECT robot, cell, line, count(value), {of} FROM ({inner})
               WHERE {_KNOWN} AND line >= 0 GROUP BY robot, cell, line"""
     shape = (up.cells, across.cells)
-    names: Sequence[str] = campaign.metadata["robots"]
+    names: Sequence[str] = campaign.robots
     flights = {robot: np.zeros(shape) for robot in names}
     values = {robot: np.full(shape, np.nan) for robot in names}
     for robot, i, j, count, found in campaign.query(sql).rows:

@@ -82,7 +82,7 @@ def sensitivity(campaign: Campaign, name: str, fields: Sequence[str]) -> Sensiti
     found: dict[str, dict[str, IntervalEstimate]] = {}
     flights: dict[str, int] = {}
     reasons = []
-    for robot in campaign.metadata["robots"]:
+    for robot in campaign.robots:
         rows = _rows(campaign, what, others, robot)
         values, samples = rows.pop("value"), rows.pop("sample")
         flights[robot], count = len(values), len(np.unique(samples))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -19,6 +19,7 @@ from springback.intervals import (
     quantile,
     share,
 )
+from springback.results.database import identifier, literal
 from springback.results.saved import LARGEST
 
 #: Measures of a summary, if any flight has them.
@@ -67,9 +68,9 @@ class RobotSummary:
 
 @dataclass(frozen=True)
 class PairSummary:
-    """Two robots with the same samples and noise."""
+    """Two robots, or two levels of a field, compared over pairs of flights."""
 
-    robots: tuple[str, str]
+    names: tuple[str, str]
     pairs: int
     """Number of pairs in which both were flown."""
     both: int
@@ -81,6 +82,10 @@ class PairSummary:
     """Difference of the success rates, the first minus the second."""
     medians: dict[str, tuple[int, IntervalEstimate]]
     """Number of pairs that have each measure, and the median of its difference."""
+    common: str = "with the same noise"
+    """What the flights of a pair have in common."""
+    robot: str = ""
+    """The robot that flew both levels of a field; empty for two robots."""
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data."""
@@ -89,7 +94,9 @@ class PairSummary:
             for name, (count, found) in self.medians.items()
         }
         return {
-            "robots": list(self.robots), "pairs": self.pairs, "both": self.both,
+            **({"robot": self.robot, "levels": list(self.names), "common": self.common}
+               if self.robot else {"robots": list(self.names)}),
+            "pairs": self.pairs, "both": self.both,
             "first_only": self.first_only, "second_only": self.second_only,
             "neither": self.neither, "difference": self.difference._asdict(),
             "median_differences": medians,
@@ -97,12 +104,12 @@ class PairSummary:
 
     def sentence(self) -> str:
         """Text of one sentence."""
-        first, second = self.robots
-        d = self.difference
+        first, second = self.names
+        d, whose = self.difference, f"{self.robot}: " if self.robot else ""
         if d.value is None or d.low is None or d.high is None:
-            return f"{first} and {second}: no pair was flown"
+            return f"{whose}{first} and {second}: no pair was flown"
         return (
-            f"{first} less {second}, over {self.pairs} pairs with the same noise: "
+            f"{whose}{first} less {second}, over {self.pairs} pairs {self.common}: "
             f"{100.0 * d.value:+.2f} percentage points "
             f"({100.0 * d.low:+.2f} to {100.0 * d.high:+.2f}); "
             f"{first} alone succeeds in {self.first_only}, {second} alone in {self.second_only}"
@@ -126,6 +133,7 @@ class Summary:
             "name": about["name"], "seed": about["seed"], "plan_sha256": about["plan_sha256"],
             "versions": about["versions"], "host": about["host"], "cpu": about["cpu"],
             "flights": self.campaign.done, "of": about["flights"],
+            "where": list(self.campaign.conditions),
             "success_is": self.campaign.design.success,
             "confidence": CONFIDENCE,
             "intervals": "shares: Wilson; quantiles: order statistics; pairs: Agresti and Min",
@@ -142,10 +150,12 @@ def summary(campaign: Campaign) -> Summary:
     """
     if not campaign.done:
         raise InputError(f"{campaign.folder}: has no flights yet")
-    names = campaign.metadata["robots"]
-    robots = tuple(_robot(campaign, robot) for robot in names)
+    names = campaign.robots
+    robots = tuple(robot_summary(campaign, robot) for robot in names)
     pairs = tuple(
-        _pair(campaign, (first, second))
+        pair_summary(
+            campaign, (first, second), (is_robot(first), is_robot(second)), ("sample", "repeat")
+        )
         for k, first in enumerate(names)
         for second in names[k + 1 :]
     )
@@ -176,7 +186,8 @@ def ordered_values(campaign: Campaign, found: Mapping[str, Values]) -> dict[str,
     return {name: values for name, values in known.items() if len(values)}
 
 
-def _robot(campaign: Campaign, robot: str) -> RobotSummary:
+def robot_summary(campaign: Campaign, robot: str) -> RobotSummary:
+    """Summary of one robot's flights."""
     sql = """SELECT outcome, count(*), coalesce(sum(success), 0) FROM flights WHERE robot = ?
              GROUP BY outcome ORDER BY outcome"""
     rows = campaign.query(sql, [robot]).rows
@@ -197,20 +208,41 @@ def _robot(campaign: Campaign, robot: str) -> RobotSummary:
     )  # fmt: skip
 
 
-def _pair(campaign: Campaign, robots: tuple[str, str]) -> PairSummary:
-    pairs = """FROM flights a JOIN flights b USING (sample, repeat)
-               WHERE a.robot = ? AND b.robot = ?"""
-    sql = f"""SELECT a.success, b.success, count(*) {pairs} AND a.success IS NOT NULL
+def is_robot(name: str) -> str:
+    """Condition in SQL on a robot's flights."""
+    return f"robot = {literal(name)}"
+
+
+def pair_summary(
+    campaign: Campaign,
+    names: tuple[str, str],
+    conditions: tuple[str, str],
+    using: Sequence[str],
+    **about: str,
+) -> PairSummary:
+    """Comparison over pairs of flights.
+
+    Args:
+        campaign: Any.
+        names: What is compared.
+        conditions: Conditions in SQL on the first and on the second flight of a pair.
+        using: Columns that are equal in a pair; each flight is in at most one.
+        about: What the flights of a pair have in common, and the robot; see `PairSummary`.
+    """
+    first_flights, second_flights = (f"(FROM flights WHERE {text})" for text in conditions)
+    equal = ", ".join(map(identifier, using))
+    pairs = f"FROM {first_flights} a JOIN {second_flights} b USING ({equal})"
+    sql = f"""SELECT a.success, b.success, count(*) {pairs} WHERE a.success IS NOT NULL
               AND b.success IS NOT NULL GROUP BY ALL"""
-    counts = {(a, b): int(n) for a, b, n in campaign.query(sql, robots).rows}
+    counts = {(a, b): int(n) for a, b, n in campaign.query(sql).rows}
     both, first, second, neither = (
         counts.get(key, 0) for key in ((1, 1), (1, 0), (0, 1), (0, 0))
     )  # fmt: skip
     total = both + first + second + neither
     columns = ", ".join(f"a.{name} - b.{name} AS {name}" for name in MAIN)
-    found = ordered_values(campaign, campaign.arrays(f"SELECT {columns} {pairs}", robots))
+    found = ordered_values(campaign, campaign.arrays(f"SELECT {columns} {pairs}"))
     medians = {name: (len(known), quantile(known, 0.5)) for name, known in found.items()}
     return PairSummary(
-        robots, total, both, first, second, neither, paired_difference(first, second, total),
-        medians,
+        names, total, both, first, second, neither, paired_difference(first, second, total),
+        medians, **about,
     )  # fmt: skip

@@ -116,7 +116,7 @@ def varied_dimension(
     """
     at: Path = ("vary", k)
     try:
-        goal = target(entry.field, scenarios[0])
+        goal, *_ = [target(entry.field, scenario) for scenario in scenarios]
     except InputError as error:
         blame((*at, "field"), str(error))
         return None

@@ -54,6 +54,8 @@ Tables = dict[str, Any]
 MOST_FLIGHTS = 10**9
 #: Most levels of a field that are all tried; of more only the first and the last are (chosen).
 MOST_TRIED = 200
+#: Tables of a scenario in which robots differ.
+OF_A_ROBOT = ("vehicle", "pilot")
 #: Columns of all campaigns that identify the flight of a row.
 HEAD = ("flight", "sample", "repeat", "robot", "seed")
 
@@ -115,8 +117,12 @@ class Design:
         Raises:
             InputError: If a name or a quantity is wrong.
         """
-        fields = {one.column: None if one.text else one.unit for one in self.dimensions}
-        return condition_in_words(text, fields, judged=judged)
+        return condition_in_words(text, self.condition_fields, judged=judged)
+
+    @property
+    def condition_fields(self) -> dict[str, str | None]:
+        """Unit of each varied field by column, for `condition_in_words`; None for words."""
+        return {one.column: None if one.text else one.unit for one in self.dimensions}
 
     @property
     def success(self) -> str:
@@ -281,7 +287,10 @@ def lay_out(plan: Plan, source: Source | None = None, *, tried: bool = True) -> 
     _check_columns(plan, found, blame)
     if noise_stream or any(one.table == "world" for one in dimensions):
         world = in_numbers(bases[0], scenarios[0])
-        bases = tuple({**world, "vehicle": base["vehicle"]} for base in bases)
+        shared = {key: table for key, table in world.items() if key not in OF_A_ROBOT}
+        bases = tuple(
+            shared | {key: base[key] for key in OF_A_ROBOT if key in base} for base in bases
+        )
     if not problems and tried:
         for one in fields:
             _try_out(one.dimension, one.extremes, bases, plan, blame)
@@ -317,17 +326,30 @@ def _in_order(fields: Sequence[VariedField], noise_stream: int) -> tuple[int, ..
 
 def _robot_names(plan: Plan) -> tuple[str, ...]:
     """Names of the robots in rows."""
-    if plan.robots:
-        return plan.robots
     assert isinstance(plan.scenario, dict)
     vehicle = plan.scenario.get("vehicle")
     if isinstance(vehicle, Mapping):  # the user's name takes precedence over that of the preset
         vehicle = vehicle.get("name") or vehicle.get("preset")
-    return (vehicle if isinstance(vehicle, str) else "own",)
+    vehicles = plan.robots or (vehicle if isinstance(vehicle, str) else "own",)
+    if not plan.pilots:
+        return vehicles
+    return tuple(f"{name} with {pilot.name}" for name in vehicles for pilot in plan.pilots)
 
 
 def _bases(plan: Plan, where: Source) -> tuple[Tables, ...]:
-    """Scenarios of the robots."""
+    """Scenarios of the robots: each vehicle with each pilot."""
+    vehicles = _vehicle_bases(plan, where)
+    if not plan.pilots:
+        return vehicles
+    for k, pilot in enumerate(plan.pilots):
+        if pilot.code is None and vehicles[0].get("reference") is None:
+            what = "springback's pilot needs a [reference] in the scenario, which it follows"
+            raise InputError(where.problem_line(("pilots", k), what))
+    return tuple(pilot.flown_in(base) for base in vehicles for pilot in plan.pilots)
+
+
+def _vehicle_bases(plan: Plan, where: Source) -> tuple[Tables, ...]:
+    """Scenarios of the vehicles."""
     assert isinstance(plan.scenario, dict)
     given: Tables = json.loads(json.dumps(plan.scenario))  # converts all sequences to lists
     if not plan.robots:
@@ -353,7 +375,7 @@ def _check_base(base: Tables, robot: str, plan: Plan, where: Source) -> Scenario
     try:
         return scenario_from(base, False)
     except InputError as error:
-        of = f" with {robot}" if plan.robots else ""
+        of = f" with {robot}" if plan.robots or plan.pilots else ""
         lines = (f"{line}{of}" for line in error.problems)
         raise InputError(*(where.problem_line(("scenario",), line) for line in lines)) from None
 
@@ -404,8 +426,9 @@ def _try_out(
             shown = value_text(value)
             problem = _problem({**base, one.table: one.place(base.get(one.table, {}), value)}, one)
             if problem:
-                whose = len(plan.robots) > 1 and one.table == "vehicle"
-                of = f" with {plan.robots[robot]}" if whose else ""
+                names = _robot_names(plan)
+                whose = len(names) > 1 and one.table in ("vehicle", "pilot")
+                of = f" with {names[robot]}" if whose else ""
                 blame(path, f"{one.column} = {shown}{of}: {problem}")
                 return
 

@@ -13,13 +13,14 @@ from pydantic import BeforeValidator, Field, ValidationError, ValidationInfo, mo
 from springback.errors import InputError, excerpt, shown_value
 from springback.problems import dotted_path, key_path, problem_paths
 from springback.quantities import Unit
-from springback.scenario.code_files import with_absolute_names
+from springback.scenario.code_files import absolute_code, with_absolute_names
 from springback.scenario.files import place_of, read_scenario
 from springback.scenario.overrides import apply_overrides
 from springback.scenario.presets import is_vehicle_file, read_vehicle, thrust_of, vehicle_table
 from springback.scenario.source_text import json_tables, source_text, toml_tables
 from springback.settings import Name, Settings, problem
 from springback.studies.trials import Scatter
+from springback.user_code import Arguments, CodeName
 from springback.vehicle.library import VEHICLES
 
 Method = Literal["grid", "random", "latin-hypercube", "sobol"]
@@ -142,6 +143,55 @@ class ScatterSettings(Settings):
         return Scatter(**self.model_dump())
 
 
+def _shown(value: Any) -> str:
+    """A parameter in a name."""
+    return f"{value:g}" if isinstance(value, float) else str(value)
+
+
+#: Name of springback's own pilot among those of a plan.
+SPRINGBACK = "springback"
+
+
+class PlanPilot(Settings):
+    """A pilot of a plan: springback's, or code of the user's own with parameters.
+
+    Its name alone, ``"FILE.py:NAME"`` or ``"springback"``, stands for a table.
+    """
+
+    code: CodeName | None = None
+    """``FILE.py:NAME`` of the pilot, or of a function that returns it; none: springback's."""
+    parameters: Arguments = Field(default_factory=dict)
+    """Arguments of that function, in SI."""
+    name: Name | None = None
+    """In the names of robots; by default ``NAME`` and the parameters."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _named(cls, given: Any) -> Any:
+        table = {"code": given} if isinstance(given, str) else given
+        if not isinstance(table, dict) or table.get("name"):
+            return table
+        code, parameters = table.get("code"), table.get("parameters")
+        if code in (None, SPRINGBACK):
+            return {**table, "code": None, "name": SPRINGBACK}
+        words = parameters.items() if isinstance(parameters, dict) else ()
+        names = [str(code).rpartition(":")[2], *(f"{key} {_shown(value)}" for key, value in words)]
+        return {**table, "name": " ".join(names)}
+
+    @model_validator(mode="after")
+    def _with_code(self) -> PlanPilot:
+        if self.code is None and self.parameters:
+            raise problem("belong to a pilot of your own; give its code", "parameters")
+        return self
+
+    def flown_in(self, tables: dict[str, Any]) -> dict[str, Any]:
+        """Raw scenario that this pilot flies."""
+        others = {key: value for key, value in tables.items() if key != "pilot"}
+        if self.code is None:
+            return others
+        return {**others, "pilot": {"code": self.code, "parameters": self.parameters}}
+
+
 def _conditions(value: Any) -> Any:
     """Condition in SQL, or conditions in words."""
     words = [*value] if isinstance(value, list | tuple) else None
@@ -166,7 +216,8 @@ class Plan(Settings):
     """Plan of the flights of a campaign.
 
     Flight k is robot ``k % robots``, repeat ``k // robots % repeats`` and sample
-    ``k // robots // repeats``.  All robots get the same samples and the same noise.
+    ``k // robots // repeats``.  All robots get the same samples and the same noise.  Where pilots
+    are given, each vehicle with each of them is a robot.
     """
 
     name: Name = "campaign"
@@ -178,6 +229,9 @@ class Plan(Settings):
     """Presets, `vehicles`, or vehicle files for the scenario's vehicle; by default its own."""
     vehicles: dict[Name, dict[str, Any]] = {}  # noqa: RUF012  # pydantic copies it
     """The user's own vehicles by name, in place of files."""
+    pilots: tuple[PlanPilot, ...] = ()
+    """Pilots that fly each robot, in place of the scenario's: ``"springback"``, ``"FILE.py:NAME"``
+    or tables; by default the scenario's own."""
     method: Method
     samples: Count | None = None
     """Number of samples; for a grid its number of points, which must not be given."""
@@ -202,6 +256,11 @@ class Plan(Settings):
             raise problem(f"must be at most {MOST_FIELDS} fields (got {len(self.vary)})", "vary")
         if len(set(self.robots)) != len(self.robots):
             raise problem(f"names one twice (got {list(self.robots)})", "robots")
+        pilots = [pilot.name for pilot in self.pilots]
+        for k, name in enumerate(pilots):
+            if name in pilots[:k]:
+                what = f"is that of another pilot, {name!r}; give another"
+                raise problem(what, f"pilots.{k}.name")
         return self
 
     @classmethod
@@ -295,6 +354,8 @@ def _in_users_words(path: tuple[str | int, ...], what: str) -> tuple[tuple[str |
 def with_scenario(plan: Plan, folder: Path, source: Source) -> Plan:
     """Plan with its scenario file, and its files of vehicles and thrusts, replaced by their tables.
 
+    Relative names of code become absolute.
+
     Args:
         plan: Any.
         folder: Folder that the scenario's path is relative to.
@@ -310,7 +371,11 @@ def with_scenario(plan: Plan, folder: Path, source: Source) -> Plan:
         tables = {**tables, "vehicle": vehicle_table(vehicle)}
     if "thrust" in tables:
         tables = {**tables, "thrust": thrust_of(tables["thrust"])}
-    return _with_vehicles(plan.with_checked(scenario=tables), folder, source)
+    pilots = tuple(
+        one if one.code is None else one.with_checked(code=absolute_code(one.code, folder))
+        for one in plan.pilots
+    )
+    return _with_vehicles(plan.with_checked(scenario=tables, pilots=pilots), folder, source)
 
 
 def _with_vehicles(plan: Plan, folder: Path, source: Source) -> Plan:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Mapping
+from typing import NamedTuple
 
 from pydantic_core import PydanticCustomError
 
@@ -18,6 +19,30 @@ _COMPARISON = re.compile(r"\s*(?P<name>[^<>=!]+?)\s*(?P<sign><=|>=|!=|==?|<|>)\s
 _OUTCOME = re.compile(r"\s*(?P<no>not\s+)?(?P<word>[A-Za-z_]+)\s*")
 #: Columns that cannot be in a condition, since they are the result of it or of the whole row.
 _RESULTS = {"success", "problem"}
+#: Relative difference up to which numbers are equal: levels of a field have 12 digits (chosen).
+EQUAL = 1e-9
+
+
+class ColumnCondition(NamedTuple):
+    """A comparison of a column with a quantity, an outcome, or the verdict."""
+
+    column: str
+    sign: str
+    """One of ``< <= > >= = !=``."""
+    value: float | str
+    """Limit in SI, or a word."""
+
+    @property
+    def sql(self) -> str:
+        """The condition in SQL, false for flights without the column's value."""
+        name = identifier(self.column)
+        if isinstance(self.value, str):
+            return f"coalesce({name} {self.sign} {literal(self.value)}, false)"
+        number = f"{self.value!r}::DOUBLE"
+        if self.sign not in ("=", "!="):
+            return f"coalesce({name} {self.sign} {number}, false)"
+        near = f"abs({name} - {number}) <= {EQUAL!r} * abs({number})"
+        return f"coalesce({near if self.sign == '=' else f'NOT {near}'}, false)"
 
 
 def condition_in_words(text: str, fields: Mapping[str, str | None], *, judged: bool = False) -> str:
@@ -35,11 +60,31 @@ def condition_in_words(text: str, fields: Mapping[str, str | None], *, judged: b
     Raises:
         InputError: If a name is unknown, or a quantity cannot be read.
     """
-    return " OR ".join(_term(part, fields, judged) for part in re.split(r"\s+or\s+", text))
+    return " OR ".join(one.sql for one in alternatives(text, fields, judged=judged))
 
 
-def _term(text: str, fields: Mapping[str, str | None], judged: bool) -> str:
-    """SQL of a comparison, an outcome or the verdict."""
+def upper_limit(text: str) -> tuple[str, float] | None:
+    """Column and largest value [SI] of a condition that is one upper limit of a measure.
+
+    Args:
+        text: A condition that `condition_in_words` accepts.
+    """
+    found, units = _COMPARISON.fullmatch(text), known_columns()
+    if found is None or " or " in text or found["sign"] not in ("<", "<="):
+        return None
+    name = found["name"]
+    return (name, si_number(found["limit"], units[name][0])) if name in units else None
+
+
+def alternatives(
+    text: str, fields: Mapping[str, str | None], *, judged: bool = False
+) -> tuple[ColumnCondition, ...]:
+    """Conditions of which one must hold, from a condition in words; see `condition_in_words`."""
+    return tuple(_term(part, fields, judged) for part in re.split(r"\s+or\s+", text))
+
+
+def _term(text: str, fields: Mapping[str, str | None], judged: bool) -> ColumnCondition:
+    """A comparison, an outcome or the verdict."""
     columns: dict[str, str | None] = {name: unit for name, (unit, _) in known_columns().items()}
     columns |= {**dict.fromkeys(("robot", "outcome")), **fields}
     outcomes = [outcome.word for outcome in Outcome]
@@ -47,13 +92,13 @@ def _term(text: str, fields: Mapping[str, str | None], judged: bool) -> str:
     if found is not None:
         word = found["word"]
         if judged and word == "success":
-            return f"coalesce(success = {0 if found['no'] else 1}, false)"
+            return ColumnCondition("success", "=", 0.0 if found["no"] else 1.0)
         if word in columns:
             raise InputError(f"{excerpt(text)}: has no limit; write such as {word} < 1")
         if word not in outcomes:
             hint = _hint(word, [*outcomes, *columns])
             raise InputError(f"{excerpt(text)}: is neither an outcome nor a limit{hint}")
-        return f"outcome {'<>' if found['no'] else '='} {literal(word)}"
+        return ColumnCondition("outcome", "!=" if found["no"] else "=", word)
     found = _COMPARISON.fullmatch(text)
     if found is None:
         raise InputError(
@@ -68,12 +113,11 @@ def _term(text: str, fields: Mapping[str, str | None], judged: bool) -> str:
     if unit is None:
         if sign not in ("=", "!="):
             raise InputError(f"{excerpt(text)}: {name} holds words, which = and != compare")
-        return f"coalesce({identifier(name)} {sign} {literal(limit)}, false)"
+        return ColumnCondition(name, sign, limit)
     try:
-        value = si_number(limit, unit)
+        return ColumnCondition(name, sign, si_number(limit, unit))
     except PydanticCustomError as error:
         raise InputError(f"{excerpt(text)}: {name}: {error.message()}") from None
-    return f"coalesce({identifier(name)} {sign} {value!r}::DOUBLE, false)"
 
 
 def _hint(word: str, known: Mapping[str, object] | list[str]) -> str:

@@ -38,6 +38,8 @@ DEALT = {
     "vehicle.preset": "name presets under robots",
     "vehicle": "name presets under robots, or vary a number of it",
     "name": "a flight of a campaign has a number instead",
+    "pilot": "name pilots under pilots, or vary a parameter of it",
+    "pilot.code": "name pilots under pilots",
 }
 
 

@@ -17,6 +17,7 @@ from springback.contact.cage import (
     Ring,
     Support,
     at_low_point,
+    at_second_point,
     cage_gap,
     contact_faces,
     face_along_normal,
@@ -24,6 +25,7 @@ from springback.contact.cage import (
     lowest_gap,
     obstacles_in_body_frame,
     per_face,
+    simple_face,
     support,
 )
 from springback.contact.obstacles import (
@@ -34,7 +36,7 @@ from springback.contact.obstacles import (
     outward_normal,
     signed_distance,
 )
-from springback.contact.rings import FAR, lowest_on_ring, on_ring
+from springback.contact.rings import FAR, LowPoint, lowest_on_ring, on_ring
 from springback.contact.scene.nearest import (
     HALF_SPACES,
     HEADER,
@@ -148,7 +150,7 @@ def _no_face() -> ContactFace:
     surface = Surface(
         0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, AnyTangent(0.0), 1.0, -1.0
     )  # fmt: skip
-    nearest = NearestFace(FAR, Vec(0.0, 0.0, 1.0), Support(none, none, none, 0.0), 1.0)
+    nearest = simple_face(FAR, Vec(0.0, 0.0, 1.0), Support(none, none, none, 0.0))
     return ContactFace(nearest, surface, 0.0)
 
 
@@ -187,7 +189,7 @@ def _on_plane(part: VehiclePart, plane: Plane) -> NearestFace:
 def _of_sphere(there: Face, radius: float) -> NearestFace:
     """Face that a sphere meets, by the distance and normal at its centre, body axes."""
     lever = there.normal * -radius
-    return NearestFace(there.gap - radius, -there.normal, Support(lever, lever, lever, 0.0), 1.0)
+    return simple_face(there.gap - radius, -there.normal, Support(lever, lever, lever, 0.0))
 
 
 @kernel
@@ -294,17 +296,22 @@ def _with_ring(
         along, middle = _along_ring(part, row, centre), Vec(0.0, 0.0, 0.0)
         lowest = lowest_on_ring(along, middle, part.radius, part.pose.direction)
         if lowest.second.gap < FAR:
-            found = _with_face(found, part.table, row, at_low_point(part.radius, lowest.second))
+            found = _with_face(found, part.table, row, at_second_point(part.radius, lowest))
         return _with_face(found, part.table, row, at_low_point(part.radius, lowest.first))
     view = InBodyFrame(near, part.position, part.r)
     low = lowest_on_ring(view, part.pose.lever, part.radius, part.pose.direction)
-    for k in range(2):
-        point = low.first if k == 0 else low.second
-        if point.gap < FAR:
-            at = on_ring(part.pose.lever, part.radius, point.towards)
-            row = nearest_of(near, part.position + part.r @ at).row
-            found = _with_face(found, part.table, row, at_low_point(part.radius, point))
-    return found
+    if low.second.gap < FAR:
+        row = _row_at(part, near, low.second)
+        found = _with_face(found, part.table, row, at_second_point(part.radius, low))
+    row = _row_at(part, near, low.first)
+    return _with_face(found, part.table, row, at_low_point(part.radius, low.first))
+
+
+@kernel
+def _row_at(part: VehiclePart, near: NearestSolids, low: LowPoint) -> int:
+    """Position of the numbers of the solid that is nearest to a point of a ring."""
+    at = on_ring(part.pose.lever, part.radius, low.towards)
+    return nearest_of(near, part.position + part.r @ at).row
 
 
 @kernel
@@ -314,7 +321,7 @@ def _tip_on_solid(part: VehiclePart, row: int, centre: Vec) -> NearestFace:
     n = -(solid_face(table, row, centre).normal @ r)
     at = support(ArmTip(0.0), n, pose.direction, part.radius)
     point = position + r @ (pose.lever + at.point)
-    return NearestFace(solid_face(table, row, point).gap, n, at, 1.0)
+    return simple_face(solid_face(table, row, point).gap, n, at)
 
 
 @kernel

@@ -25,6 +25,7 @@ from springback.interfaces.output import interrupts
 from springback.interfaces.output.plain_text import plain_text
 
 if TYPE_CHECKING:
+    from springback.campaign.access import Campaign
     from springback.campaign.running import CampaignProgress
 
 WAIT = "; new kinds of flight are compiled first, for a minute"
@@ -120,9 +121,9 @@ def _tls(
 
 
 def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> Any:
-    from springback.campaign.access import check_conditions
     from springback.campaign.design.layout import lay_out
     from springback.campaign.design.plan import read_plan
+    from springback.campaign.plan_check import check_conditions
     from springback.campaign.store import stored_plan
 
     if plan is not None:
@@ -191,9 +192,8 @@ def _print_cost(design: Any, workers: int | None, output: Output) -> None:
     """Print the estimated cost of a campaign."""
     from springback.campaign.cost_estimate import cost_estimate
 
-    output.note(FIRST.replace("flying", "flying a few of its flights", 1))
     with output.spinner("flying a few"):
-        coming = cost_estimate(design, workers)
+        coming = cost_estimate(design, workers, output.note)
     output.print(coming.as_dict(), coming.sentence())
 
 
@@ -310,8 +310,24 @@ def refly(folder: Path, row: int, output: Output) -> None:
     help="Also show a measure in detail: distribution, over each field, sensitivity, maps.",
 )  # fmt: skip
 @click.option(
+    "--limit", "limits", multiple=True, metavar="WORDS",
+    help='Which values of --by keep it in the worst case: "impact_peak_acceleration < 300 m/s^2".',
+)  # fmt: skip
+@click.option(
+    "--by", "fields", multiple=True, metavar="FIELD",
+    help="Field, or two with a comma, of the limits; without --limit outcomes by its levels.",
+)  # fmt: skip
+@click.option(
+    "--share", type=float,
+    help="Share of flights that must keep the limits, by default all, 1: 0.95 forgives one in 20.",
+)  # fmt: skip
+@click.option(
+    "--where", "conditions", multiple=True, metavar="WORDS",
+    help='Count only flights with it, such as "speed < 4 m/s" or "surface = wall".',
+)  # fmt: skip
+@click.option(
     "--cells", type=click.IntRange(2, 64),
-    help="Cells along each field of a map; by default up to 8, of 20 flights each.",
+    help="Cells along each field of maps and limits; by default as many as flights allow.",
 )  # fmt: skip
 @click.option("--scatter", is_flag=True, help="Show success over the scattered parameters, too.")
 @output_options("Folder for summary.html, summary.json and figures.", required=False)
@@ -319,6 +335,10 @@ def summary(
     folder: Path,
     pairs: tuple[str, ...],
     measures: tuple[str, ...],
+    limits: tuple[str, ...],
+    fields: tuple[str, ...],
+    share: float | None,
+    conditions: tuple[str, ...],
     cells: int | None,
     scatter: bool,
     output: Output,
@@ -326,47 +346,84 @@ def summary(
     """Summarise the campaign in FOLDER: success, outcomes, quantiles, comparison of robots.
 
     Shares have Wilson intervals. Robots flew the same samples with the same noise, so they are
-    compared in pairs. An unfinished campaign can be summarised, too. A measure is any column of
-    numbers that springback query FOLDER lists.
+    compared in pairs; so are surfaces, pilots and other levels of words where they share samples,
+    or the other fields of a grid. An unfinished campaign can be summarised, too. A measure is any
+    column of numbers that springback query FOLDER lists.
+
+    --limit, several times if wanted, asks which values of a field keep limits whatever the other
+    fields are. Limits and conditions are in words, as success in a plan: not arm_bottomed.
 
     \b
     springback summary results
     springback summary results --out page --map speed,pitch
     springback summary results --out page --measure impact_peak_acceleration
+    springback summary results --by stiffness --limit "impact_peak_acceleration < 300 m/s^2"
+    springback summary results --by surface --where "speed > 3 m/s"
     """
     from springback.campaign.access import Campaign
+    from springback.campaign.analysis.levels import field_summary, fields_of_words
     from springback.campaign.analysis.marginals import SUCCESS, measure_column, scale
     from springback.campaign.analysis.statistics import summary as summed_up
+    from springback.campaign.analysis.worst_case import worst_cases
     from springback.interfaces.reports.campaign import summary_text, write_summary
     from springback.interfaces.reports.measures import measure_report
 
-    known = Campaign(folder)
+    known = _where(Campaign(folder), conditions)
     asked = []
     for text in pairs:
         x, sign, y = (part.strip() for part in text.partition(","))
         if not sign or not y or x == y:
             raise InputError(f"--map {text}: give two fields, such as speed,pitch")
         asked.append((scale(known, x, 2).name, scale(known, y, 2).name))
-    for option, given in (("--map", pairs), ("--cells", cells)):
+    for option, given in (("--map", pairs), ("--cells", None if limits else cells)):
         if given and output.out is None:
             raise InputError(f"{option} needs --out: the folder for the figures")
-    for name in measures:
-        try:
-            measure_column(known, name)
-        except InputError as error:
-            raise InputError(f"--measure {error}") from None
+    checks: list[tuple[str, Callable[[str], Any], list[str]]] = [
+        ("--measure", lambda name: measure_column(known, name), [*measures]),
+        ("--limit", lambda text: known.design.condition(text, judged=True), [*limits]),
+        ("--by", lambda name: scale(known, name.strip(), 2), ",".join(fields).split(",")),
+    ]
+    for option, check, given_words in checks:
+        for word in filter(None, given_words):
+            try:
+                check(word)
+            except InputError as error:
+                raise InputError(f"{option} {error}") from None
+    if share is not None and not 0.0 < share <= 1.0:
+        raise InputError(f"--share: must be above 0 and at most 1 (got {share:g})")
+    if share is not None and not limits:
+        raise InputError("--share needs --limit: what that share of flights must keep")
+    if any("," in text for text in fields) and not limits:
+        raise InputError("--by: two fields need --limit, whose values they keep")
     with output.spinner("summing up"):
         found = summed_up(known)
         names = [name for name in dict.fromkeys(measures) if name != SUCCESS]
         reports = [measure_report(known, name, scatter=scatter) for name in names]
+        by = dict.fromkeys([*fields_of_words(known), *(() if limits else fields)])
+        levels = [field_summary(known, name) for name in by]
+        worst = (
+            worst_cases(known, limits, fields, share=share or 1.0, cells=cells) if limits else []
+        )
     if output.out is not None:
         figures = output.wants_figures()
         with output.folder() as place, output.spinner("drawing"):
             files = write_summary(
-                found, place, measures=reports, pairs=asked, cells=cells, scatter=scatter,
-                figures=figures,
+                found, place, measures=reports, levels=levels, worst_cases=worst, pairs=asked,
+                cells=cells, scatter=scatter, figures=figures,
             )  # fmt: skip
-    data = found.as_dict() | {"measures": {one.name: one.as_dict() for one in reports}}
-    output.print(data, summary_text(found, reports))
+    data = found.as_dict() | {
+        "measures": {one.name: one.as_dict() for one in reports},
+        "by": [one.as_dict() for one in levels], "worst_cases": [one.as_dict() for one in worst],
+    }  # fmt: skip
+    text = summary_text(found, reports, levels=levels, worst_cases=worst)
+    output.print(data, text)
     if output.out is not None:
         output.note_written(path for path in files if path.suffix in (".html", ".json"))
+
+
+def _where(known: Campaign, conditions: tuple[str, ...]) -> Campaign:
+    """The flights of a campaign that satisfy conditions in words."""
+    try:
+        return known.where(*conditions) if conditions else known
+    except InputError as error:
+        raise InputError(f"--where {error}") from None

@@ -33,6 +33,7 @@ def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
 
     A pilot is tested for properties that every pilot should have: at rest at the start of the
     SCENARIO (by default quad at [0, 0, 1] m) it must hover. The exit code is 1 if one fails.
+    KEY=VALUE are arguments of a function that returns one.
 
     The distance and the normal of an obstacle are sampled from the start of the SCENARIO (by
     default [0, 0, 1] m) and from all sides: a distance that is overstated, that does not grow by
@@ -100,9 +101,10 @@ def _conclude(sentence: str, warnings: list[str], terminal: Terminal) -> None:
 
 
 def _check_plan(path: Path, overrides: Sequence[str], terminal: Terminal) -> None:
-    from springback.campaign.access import check_conditions
     from springback.campaign.design.layout import lay_out
     from springback.campaign.design.plan import read_plan
+    from springback.campaign.limits_check import unmet_limits
+    from springback.campaign.plan_check import check_conditions
     from springback.scenario.scenario import scenario_from
 
     with terminal.spinner("reading the plan"):
@@ -116,7 +118,7 @@ def _check_plan(path: Path, overrides: Sequence[str], terminal: Terminal) -> Non
     counts = {"flights": design.flights, "samples": design.samples, "repeats": plan.repeats}
     data: dict[str, Any] = {"kind": "plan", **counts, "success": design.success, "fields": fields}
     text = [f"{name:<8}  {count}" for name, count in counts.items()]
-    text += [f"success   {design.success}", ""]
+    text += [f"success   {design.rule}", ""]
     text += [f"{one['column']:<24}  {one['values']} {one['unit']}".rstrip() for one in fields]
     warnings = list[str]()
     for robot, base in zip(design.robots, design.bases, strict=True):
@@ -124,6 +126,7 @@ def _check_plan(path: Path, overrides: Sequence[str], terminal: Terminal) -> Non
         data.setdefault("robots", {})[robot] = {"derived": numbers, "warnings": found}
         text += ["", f"{robot}, without what varies:", *_lines(numbers)]
         warnings += [f"{robot}: {warning}" for warning in found]
+    warnings += unmet_limits(design)
     terminal.print(data, "\n".join(text))
     _conclude(f"{path} can be flown", warnings, terminal)
 
@@ -163,7 +166,7 @@ def _check_code(name: str, more: Sequence[str], terminal: Terminal) -> None:
     from springback.scenario.files import read_scenario
     from springback.scenario.overrides import apply_overrides
     from springback.studies.pilot_check import check_pilot
-    from springback.studies.sensing_check import check_sensing, sensing_kind
+    from springback.studies.sensing_check import check_sensing, refuse_plain_sensing, sensing_kind
 
     scenarios = [Path(word) for word in more if "=" not in word]
     if len(scenarios) > 1:
@@ -177,11 +180,10 @@ def _check_code(name: str, more: Sequence[str], terminal: Terminal) -> None:
             findings = check_sensing(kind, name, given, scenario)
     elif is_type or (isinstance(thing, tuple) and not isinstance(thing, CompiledPilot)):
         findings = _shape_findings(name, more, scenarios, terminal)
-    elif len(more) > len(scenarios):
-        raise InputError("a pilot is checked without KEY=VALUE; change its scenario")
     else:
+        refuse_plain_sensing(thing, name)
         with terminal.progress_bar("testing the pilot") as show:
-            findings = check_pilot(name, *scenarios, progress=show)
+            findings = check_pilot(name, *scenarios, parameters=given, progress=show)
     lines = [f"{'pass' if f.passed else 'FAIL'}  {f.name}: {f.sentence}" for f in findings]
     terminal.print([f._asdict() for f in findings], "\n".join(lines))
     failed = sum(not f.passed for f in findings)

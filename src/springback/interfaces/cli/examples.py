@@ -121,7 +121,8 @@ TEMPLATES = {
             "springback check {stem}.toml",
             "springback campaign {stem}.toml --dry-run",
             "springback campaign {stem}.toml --out {stem}-results",
-            "springback summary {stem}-results --out {stem}-page",
+            "springback summary {stem}-results --out {stem}-page --by stiffness,damping "
+            '--limit "impact_peak_acceleration < 200 m/s^2" --limit "not arm_bottomed"',
         ),
     ),
 }

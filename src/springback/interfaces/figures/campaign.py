@@ -82,7 +82,7 @@ def marginals_figure(found: Sequence[Marginal]) -> Figure:
         for robot, look in robot_styles(one.robots).items():
             if one.robots[robot]:
                 keys[look.label] = _line(chart, one, robot, look, unit.factor)
-        _ticks(axes, one.scale)
+        field_ticks(axes, one.scale)
     if measure.name == SUCCESS:
         lowest = min((cell.estimate.low or 0.0 for cell in every), default=1.0)
         bottom = max(-0.04, lowest - 0.06 * (1.0 - lowest) - 0.005)
@@ -124,7 +124,8 @@ def _line(chart: Chart, one: Marginal, robot: str, look: RobotStyle, factor: flo
     )
 
 
-def _ticks(axes: Axes, scale: Scale) -> None:
+def field_ticks(axes: Axes, scale: Scale) -> None:
+    """Label the x axis with a field and its levels, and space it as the field is."""
     axes.set_xlabel(label(scale))  # of words, too
     if scale.logarithmic:
         axes.set_xscale("log")

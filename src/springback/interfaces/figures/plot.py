@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from springback.campaign.access import Campaign
 from springback.campaign.analysis.distribution import distribution
 from springback.campaign.analysis.marginals import SUCCESS, field_map, marginal
+from springback.campaign.analysis.worst_case import worst_case, worst_case_map
 from springback.errors import InputError
 from springback.extras import needs
 from springback.results.flight import Flight
@@ -54,13 +55,31 @@ def plot(
 
 
 def plot_campaign(
-    campaign: Campaign, measure: str = "success", by: str | tuple[str, str] | None = None
+    campaign: Campaign,
+    measure: str = SUCCESS,
+    by: str | tuple[str, str] | None = None,
+    *,
+    limits: Sequence[str] = (),
+    share: float | None = None,
 ) -> Figure:
     """Figure of a measure over a campaign: `springback.Campaign.plot`."""
     needs("matplotlib", "plot")
     from springback.interfaces.figures.campaign import field_map_figure, marginals_figure
     from springback.interfaces.figures.measures import distribution_figure
 
+    if limits or share is not None:
+        from springback.interfaces.figures.worst_case import (
+            worst_case_figure,
+            worst_case_map_figure,
+        )
+
+        own = None if measure == SUCCESS else measure
+        whole = 1.0 if share is None else share
+        if by is None or (not isinstance(by, str) and (len(by) != 2 or not limits)):
+            raise InputError("by: a limit needs the name of a field, or two; a share alone one")
+        if not isinstance(by, str):
+            return worst_case_map_figure(worst_case_map(campaign, by, limits, share=whole))
+        return worst_case_figure(worst_case(campaign, by, limits, measure=own, share=whole))
     if by is None:
         if measure == SUCCESS:
             raise InputError("by: name the field, or two, over which success is drawn")

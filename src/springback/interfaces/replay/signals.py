@@ -52,7 +52,7 @@ GROUPS = {
     "Estimate": "est_.*",
     "Reference": "ref_.*",
     "Setpoint of attitude and thrust": "aim_.*",
-    "Detection: phase and alarms": "phase|alarms_.*|pressed|jolt|push",
+    "Detection: phase and alarms": "phase|alarm|alarms_.*|pressed|jolt|push",
     "Recovery: goal, impact": "goal_.*|force_.*|moment_.*|hit_.*",
     "Others": ".*",
 }

@@ -6,12 +6,16 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from springback.campaign.analysis.failures import failures
+from springback.campaign.analysis.levels import FieldSummary
 from springback.campaign.analysis.statistics import Summary
+from springback.campaign.analysis.worst_case import WorstCase, WorstCaseMap
 from springback.files import write_json
 from springback.interfaces.output.tables import as_text
+from springback.interfaces.output.worst_case import answer_lines, answer_table
 from springback.interfaces.reports.measures import MeasureReport, measure_report
 from springback.interfaces.reports.outcomes import (
     distribution_table,
+    level_table,
     measure_unit,
     outcome_table,
     quantile_table,
@@ -19,14 +23,21 @@ from springback.interfaces.reports.outcomes import (
 )
 
 
-def summary_text(found: Summary, measures: Sequence[MeasureReport] = ()) -> str:
-    """Summary for a terminal."""
+def summary_text(
+    found: Summary,
+    measures: Sequence[MeasureReport] = (),
+    *,
+    levels: Sequence[FieldSummary] = (),
+    worst_cases: Sequence[WorstCase | WorstCaseMap] = (),
+) -> str:
+    """Summary for a terminal; see `write_summary`."""
     about = found.campaign.metadata
     done, of = found.campaign.done, about["flights"]
     state = "complete" if done == of else f"{100.0 * done / of:.1f} %, continue with --resume"
     lines = [
         f"{about['name']}: {done} of {of} flights ({state})",
         f"success: {found.campaign.design.rule}",
+        *(f"only flights with: {text}" for text in found.campaign.conditions),
         "",
         as_text(*outcome_table(found.robots)),
         *([found.refusal] * bool(found.refusal)),
@@ -35,8 +46,13 @@ def summary_text(found: Summary, measures: Sequence[MeasureReport] = ()) -> str:
         as_text(*quantile_table(found.robots)),
     ]
     lines += ["", *(pair.sentence() for pair in found.pairs)] * bool(found.pairs)
+    for by in levels:
+        lines += ["", f"by {by.field.name}", as_text(*level_table(by))]
+        lines += [pair.sentence() for pair in by.pairs]
     for one in measures:
         lines += ["", *_measure_lines(one)]
+    for worst in worst_cases:
+        lines += ["", *answer_lines(worst), as_text(*answer_table(worst))]
     replay = failures(found.campaign, 1).sentence()
     return "\n".join([*lines, *(["", replay] * bool(replay))])
 
@@ -61,6 +77,8 @@ def write_summary(
     folder: Path,
     *,
     measures: Sequence[MeasureReport] = (),
+    levels: Sequence[FieldSummary] = (),
+    worst_cases: Sequence[WorstCase | WorstCaseMap] = (),
     pairs: Sequence[tuple[str, str]] = (),
     cells: int | None = None,
     scatter: bool = False,
@@ -72,6 +90,8 @@ def write_summary(
         found: The summary.
         folder: Folder to write into.
         measures: Measures to show in detail, beside success.
+        levels: Summaries by the levels of fields.
+        worst_cases: Worst cases over fields, with their limits.
         pairs: Pairs of fields to map; by default those of the first four, and for a measure of the
             three with the largest indices.
         cells: Number of cells along each field of a map; by default as many as flights allow.
@@ -86,6 +106,8 @@ def write_summary(
         "marginals": [one.as_dict() for one in success.marginals],
         "sensitivity": success.sensitivity.as_dict(),
         "measures": {one.name: one.as_dict() for one in measures},
+        "by": [one.as_dict() for one in levels],
+        "worst_cases": [one.as_dict() for one in worst_cases],
         "failures": failures(found.campaign).as_dict(),
     }
     write_json(folder / "summary.json", data)
@@ -94,4 +116,5 @@ def write_summary(
         return written
     from springback.interfaces.reports.campaign_page import write_page
 
-    return written + write_page(found, [success, *measures], folder, pairs, cells)
+    reports = [success, *measures]
+    return written + write_page(found, reports, folder, pairs, cells, levels, worst_cases)

@@ -4,29 +4,35 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import combinations
 from pathlib import Path
 from typing import Any
 
 from springback.campaign.access import Campaign
 from springback.campaign.analysis.failures import FailureList, failures
+from springback.campaign.analysis.levels import FieldSummary
 from springback.campaign.analysis.marginals import SUCCESS, field_map
 from springback.campaign.analysis.statistics import Summary
+from springback.campaign.analysis.worst_case import WorstCase, WorstCaseMap
 from springback.interfaces.figures import campaign as figures
 from springback.interfaces.figures import measures as measure_figures
 from springback.interfaces.figures import style
+from springback.interfaces.figures.worst_case import worst_case_figure, worst_case_map_figure
 from springback.interfaces.output.robots import robot_label, with_labels
+from springback.interfaces.output.worst_case import answer_lines, answer_table
 from springback.interfaces.reports.measures import MeasureReport
 from springback.interfaces.reports.outcomes import (
     distribution_table,
     failure_table,
+    level_table,
     measure_unit,
     outcome_table,
     quantile_table,
     share_text,
 )
 from springback.interfaces.reports.page import (
+    Blocks,
     Content,
     Entry,
     FigureBlock,
@@ -52,6 +58,8 @@ def write_page(
     folder: Path,
     pairs: Sequence[tuple[str, str]] = (),
     cells: int | None = None,
+    levels: Sequence[FieldSummary] = (),
+    worst_cases: Sequence[WorstCase | WorstCaseMap] = (),
 ) -> list[Path]:
     """Write figures, and the page ``summary.html`` with them.
 
@@ -61,6 +69,8 @@ def write_page(
         folder: Folder to write into.
         pairs: Pairs of fields to map; by default see `springback.interfaces.reports.campaign`.
         cells: Number of cells along each field of a map; by default as many as flights allow.
+        levels: Summaries by the levels of fields.
+        worst_cases: Worst cases over fields.
 
     Returns:
         The files written.
@@ -68,10 +78,16 @@ def write_page(
     flown = sum(one.flights - one.refused for one in found.robots) / len(found.robots)
     count = cells or max(4, min(MOST_CELLS, math.isqrt(int(flown / FLIGHTS_EACH))))
     drawn = [_pictures(found.campaign, one, pairs, count) for one in reports]
+    limits = [_limit_blocks(one) for one in worst_cases]
     written = []
-    for block in (block for blocks in drawn for block in blocks):
+    pictured = [block for blocks in (*drawn, *limits) for block in blocks]
+    for block in (block for block in pictured if isinstance(block, FigureBlock)):
         written += style.save(block.figure, folder / block.name, image=block.image)
-    sections = _sections(found, reports, drawn)
+    more: dict[str, Content] = {
+        "limits": {"answers": [block for blocks in limits for block in blocks]},
+        "levels": {"fields": [block for one in levels for block in _level_blocks(one)]},
+    }
+    sections = _sections(found, reports, drawn, more)
     lead = WORDS.say(
         "lead", **_about(found), done=found.campaign.done,
         version=found.campaign.metadata["versions"].get("springback", "?"),
@@ -130,10 +146,50 @@ def words_of_map(x: str, y: str) -> str:
     return WORDS.say("map_success", x=_plain(x), y=_plain(y))
 
 
+def _limit_blocks(found: WorstCase | WorstCaseMap) -> Blocks:
+    """Answer, figure and table of a worst case."""
+    if isinstance(found, WorstCase):
+        names, name = [found.field.name], _plain(found.field.name)
+        said = WORDS.say("worst_case", field=name, share=100.0 * found.share)
+        figure = worst_case_figure(found, answer=False)
+    else:
+        names = [found.whole.field.name, found.across.name]
+        name = _plain(" and ".join(names))
+        said = WORDS.say("worst_case_map", fields=name)
+        figure = worst_case_map_figure(found)
+    picture = FigureBlock("-".join(["limits", *names]), said, figure)
+    lines = _entries(*answer_table(found))
+    caption = WORDS.say("worst_case_table", field=name)
+    numbers = table(caption, [str(word) for word in lines[0]], lines[1:], folded=True)
+    return (*_paragraphs(answer_lines(found)), picture, numbers)
+
+
+def _paragraphs(lines: Sequence[str]) -> list[str]:
+    """Lines as sentences; indented ones continue that before them."""
+    found: list[str] = []
+    for line in lines:
+        if line.startswith(" "):
+            found[-1] += ("; " if ": " in found[-1] else ": ") + _plain(line.strip())
+        else:
+            found.append(_plain(line))
+    return [f"{text}." for text in found]
+
+
+def _level_blocks(found: FieldSummary) -> Blocks:
+    """Outcomes by the levels of a field, and the levels compared in pairs."""
+    lines = _entries(*level_table(found))
+    caption = WORDS.say("levels", field=_plain(found.field.name))
+    outcomes = table(caption, [str(word) for word in lines[0]], lines[1:])
+    return (outcomes, *(f"{_plain(pair.sentence())}." for pair in found.pairs))
+
+
 def _sections(
-    found: Summary, reports: Sequence[MeasureReport], drawn: Sequence[Sequence[FigureBlock]]
+    found: Summary,
+    reports: Sequence[MeasureReport],
+    drawn: Sequence[Sequence[FigureBlock]],
+    more: Mapping[str, Content],
 ) -> list[Section]:
-    """Sections of the page."""
+    """Sections of the page; ``more`` are those of limits and levels."""
     confidence = {"confidence": 100 * CONFIDENCE}
     success, replays = reports[0], failures(found.campaign)
     pictures = {block.name: block for block in drawn[0]}
@@ -144,10 +200,12 @@ def _sections(
     content: dict[str, Content] = {
         "overview": {
             **confidence, "rule": found.campaign.design.rule, "shares": shares,
+            "conditions": "; ".join(found.campaign.conditions),
             "refusal": f": {found.refusal}" if found.refusal else "",
             "pairs": [_plain(pair.sentence()) + "." for pair in found.pairs],
             "first": [pictures[name] for name in ("marginals",) if name in pictures],
         },
+        **more,
         "robots": {"outcomes": _entries(*outcome_table(found.robots))},
         "sensitivity": {
             "indices": [pictures[name] for name in ("sensitivity",) if name in pictures],

@@ -55,7 +55,8 @@ def campaign_html(campaign: Campaign) -> str:
     flights = int(campaign.metadata["flights"])
     head = (
         f"<p><b>{html.escape(campaign.folder.name)}</b>: {campaign.done} of {flights} flights"
-        f"{'' if campaign.complete else '; continue with resume=True'}</p>"
+        f"{'' if campaign.complete else '; continue with resume=True'}"
+        f"{''.join(f'; only {html.escape(text)}' for text in campaign.conditions)}</p>"
     )
     found = campaign.query(
         "SELECT robot, outcome, count(*) AS n, 100.0 * n / sum(n) OVER (PARTITION BY robot)"

@@ -8,9 +8,11 @@ from typing import Any
 from springback.campaign.analysis.distribution import PARTS as DISTRIBUTION
 from springback.campaign.analysis.distribution import MeasureDistribution
 from springback.campaign.analysis.failures import FailureList
+from springback.campaign.analysis.levels import FieldSummary
 from springback.campaign.analysis.sensitivity import Sensitivity
 from springback.campaign.analysis.statistics import PARTS, RobotSummary
 from springback.campaign.columns import known_columns
+from springback.interfaces.output.fields import cell_text
 from springback.interfaces.output.quantities import (
     DisplayUnit,
     display_unit,
@@ -24,9 +26,14 @@ Rows = tuple[list[str], list[tuple[Any, ...]]]
 """Heads of a table, and its rows."""
 
 
-def outcome_table(robots: Sequence[RobotSummary]) -> Rows:
-    """Table of flights, success and outcomes, a row for each robot."""
-    words = sorted({word for robot in robots for word in robot.outcomes})
+def outcome_table(robots: Sequence[RobotSummary], outcomes: Sequence[str] = ()) -> Rows:
+    """Table of flights, success and outcomes, a row for each robot.
+
+    Args:
+        robots: Summaries.
+        outcomes: Outcomes that have a column; by default all that any robot has.
+    """
+    words = outcomes or sorted({word for robot in robots for word in robot.outcomes})
     rows = [
         (
             one.robot, one.flights, one.refused, one.ledger_open, share_text(one.success),
@@ -35,6 +42,18 @@ def outcome_table(robots: Sequence[RobotSummary]) -> Rows:
         for one in robots
     ]  # fmt: skip
     return ["robot", "flights", "refused", "ledger open", "success (95 %)", *words], rows
+
+
+def level_table(found: FieldSummary) -> Rows:
+    """Table of flights, success and outcomes, a row for each level of a field and robot."""
+    every = [robot for robots in found.levels.values() for robot in robots]
+    head, _ = outcome_table(every)
+    words = head[len(outcome_table([])[0]) :]
+    rows = []
+    for level, robots in found.levels.items():
+        for one in outcome_table(robots, words)[1]:
+            rows.append((cell_text(found.field, *found.field.bounds(level)), *one))
+    return [found.field.name, *head], rows
 
 
 def quantile_table(robots: Sequence[RobotSummary]) -> Rows:

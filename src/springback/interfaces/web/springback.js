@@ -1,4 +1,4 @@
-/*! springback, MIT licence; sources 8aed174dadc8c9825c5b9b79db1040484c19a843d23197cfd25d1fd48de2d274
+/*! springback, MIT licence; sources 3bf4ed27f06b374237894312c50e8c81ae4311be19b9ae802e4002e1c78fe2fd
 
 It holds:
 

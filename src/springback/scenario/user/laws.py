@@ -12,6 +12,9 @@ from springback.errors import InputError
 from springback.kernels.compiler import CompilerError, Generic
 from springback.scenario.code_files import PACKAGE, error_place, error_words
 
+#: Longest call that an error of the compiler shows (chosen).
+LONGEST = 200
+
 
 def home_of(thing: Any) -> tuple[str, int]:
     """File and line of a function, or of the method by which an object is called."""
@@ -129,5 +132,8 @@ def in_words(laws: Sequence[Law]) -> Iterator[None]:
         found = [(file, re.findall(rf"at {re.escape(file)} \((\d+)\)", text)) for file, _ in homes]
         file, at = next(((file, lines[0]) for file, lines in found if lines), homes[0])
         messages = re.findall(r"\w+Error: (.+)", text) or text.strip().splitlines()
-        reasons = [reason for reason in messages if not reason.startswith("Failed in ")] or messages
+        reasons = [reason for reason in messages if not reason.startswith("Failed in ")]
+        unknown = re.findall(r">>> (.+)", text)[-1:]  # the innermost call
+        reasons += [f"the compiler has no {call}" for call in unknown if len(call) <= LONGEST]
+        reasons = reasons or messages
         raise InputError(f"{file}:{at}: cannot be compiled: {reasons[0].strip()}") from error

@@ -6,45 +6,50 @@ import functools
 import inspect
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Set
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from springback.errors import InputError
-from springback.kernels.tracing import traceable  # for batch set-up
 from springback.scenario.avionics import CompiledPilot
 from springback.scenario.code_files import error_place, error_words, read_object
+from springback.scenario.user.builders import (
+    CodeLabel,
+    PilotContext,
+    built_part,
+    refuse_parameters,
+    wrong_part,
+)
 from springback.scenario.user.laws import Law, home_of, law_of, source_text
-from springback.sensing.parameters import SensorSettings
 from springback.simulation.guided import Command, PlainPilot
 from springback.simulation.onboard import PilotOutput, pilot_step
-from springback.vehicle.parameters import Vehicle
-from springback.vehicle.state import State
+
+#: No parameters of a builder.
+NO_PARAMETERS: Mapping[str, Any] = MappingProxyType({})
 
 # -- from a file ----------------------------------------------------------------------------------
 
 
-class PilotContext(NamedTuple):
-    """What a pilot is built from, if its name is that of a function of this: the nominal vehicle.
-
-    True mass and inertia, payload and model errors are not in it, as they are unknown on board.
-    """
-
-    vehicle: Vehicle
-    gravity: float  # g along −Z [m/s²]
-    period: float  # of the on-board clock [s]
-    start: State  # at time 0
-    sensors: SensorSettings  # rates, delays and ranges, as in data sheets
-
-
-#: Builds a pilot for a vehicle; written as a function of one argument.
-PilotBuilder = Callable[[PilotContext], PlainPilot | CompiledPilot]
-
-
+#: Builds a pilot for a vehicle, and for the parameters that a scenario gives; written as a function
+#: of one argument and these.
+PilotBuilder = Callable[..., PlainPilot | CompiledPilot]
 AnyPilot = PlainPilot | CompiledPilot | PilotBuilder
 
 
-def read_pilot(word: str) -> AnyPilot:
+class UserPilot(NamedTuple):
+    """A pilot that a scenario names: the scenario has its parameters."""
+
+    word: str
+    """``FILE.py:NAME``."""
+    pilot: AnyPilot
+
+
+#: What a builder must be, for errors.
+_NEEDED = "must be a function of a PilotContext and its parameters that returns a pilot"
+
+
+def read_pilot(word: str, *, builds: bool = False) -> AnyPilot:
     """Read a pilot from a Python file; that of a plain one is run again each time.
 
     So a plain pilot has no memory of earlier flights.
@@ -53,6 +58,7 @@ def read_pilot(word: str) -> AnyPilot:
         word: ``file.py:name``; the name is that of a function ``(time, measurement, memory) ->
             (thrusts, memory)``, of a `springback.scenario.avionics.CompiledPilot`, or of a
             function that returns either for a `PilotContext`.
+        builds: True if it has parameters, as only builders have.
 
     Raises:
         InputError: If there is no such file or name, if it is not a pilot, or if the file fails.
@@ -65,7 +71,7 @@ def read_pilot(word: str) -> AnyPilot:
             f"or a CompiledPilot, or a function of a PilotContext that returns one (got "
             f"{source_text(pilot)})"
         )
-    if not isinstance(pilot, CompiledPilot) and not is_builder(pilot):
+    if not (isinstance(pilot, CompiledPilot) or builds or is_builder(pilot)):
         pilot = read_object(word, "a pilot", anew=True)
     chosen: AnyPilot = pilot
     return chosen
@@ -91,7 +97,10 @@ def chosen_pilot(pilot: Any) -> AnyPilot | None:
 
 
 def is_builder(pilot: AnyPilot) -> bool:
-    """True if a pilot is built for each vehicle: a function of one argument."""
+    """True if a pilot is built for each vehicle: a function of one argument, or of two.
+
+    Other arguments have defaults; a plain pilot has three arguments.
+    """
     if isinstance(pilot, CompiledPilot):
         return False
     try:
@@ -99,30 +108,37 @@ def is_builder(pilot: AnyPilot) -> bool:
     except (TypeError, ValueError):  # of a built-in function
         return False
     needed = [one for one in parameters if one.default is one.empty]
-    return len(needed) == 1 and needed[0].kind in (
+    return 1 <= len(needed) <= 2 and needed[0].kind in (
         inspect.Parameter.POSITIONAL_ONLY, inspect.Parameter.POSITIONAL_OR_KEYWORD,
     )  # fmt: skip
 
 
-def built_pilot(pilot: AnyPilot, context: PilotContext) -> PlainPilot | CompiledPilot:
-    """A pilot, or what its builder returns for a vehicle.
+def built_pilot(
+    pilot: AnyPilot,
+    context: PilotContext,
+    parameters: Mapping[str, Any] = NO_PARAMETERS,
+    word: str = "",
+) -> PlainPilot | CompiledPilot:
+    """A pilot, or what its builder returns for a vehicle and parameters.
+
+    Args:
+        pilot: Of either kind, or a builder.
+        context: Argument of the builder.
+        parameters: Further arguments by name; a function that is given any is a builder.
+        word: ``FILE.py:NAME`` of the pilot, for errors.
 
     Raises:
-        InputError: If the builder fails, or returns something else.
+        InputError: If the builder fails, does not take the parameters, or returns something else.
     """
     made: Any = pilot
-    if not is_builder(pilot):
+    called = CodeLabel("pilot", word or getattr(pilot, "__name__", "the pilot"), _NEEDED)
+    if isinstance(pilot, CompiledPilot) or not (parameters or is_builder(pilot)):
+        refuse_parameters(called, parameters)
         return made  # type: ignore[no-any-return]  # a plain pilot, or a compiled one
-    file, line = home_of(pilot)
-    try:
-        made = traceable(made)(context)
-    except (Exception, SystemExit) as error:
-        raise InputError(f"{error_place(error, file, line)}: {error_words(error)}") from error
+    made = built_part(pilot, called, context, parameters)
     if not isinstance(made, CompiledPilot) and (not callable(made) or isinstance(made, type)):
-        raise InputError(
-            f"{file}:{line}: must return a function (time, measurement, memory) -> (thrusts, "
-            f"memory), or a CompiledPilot (got {source_text(made)})"
-        )
+        forms = "a function (time, measurement, memory) -> (thrusts, memory), or a CompiledPilot"
+        raise wrong_part(pilot, forms, made)
     return made
 
 
@@ -139,7 +155,7 @@ def guarded_pilot(pilot: PlainPilot, rotors: int) -> PlainPilot:
     file, line = home_of(pilot)
 
     @functools.wraps(pilot)
-    def asked(time: float, measurement: Any, memory: Any) -> tuple[Command, Any]:
+    def asked(time: float, measurement: Any, memory: Any) -> tuple[Command, Any, float]:
         try:
             said: Any = pilot(time, measurement, memory)
         except (Exception, SystemExit) as error:
@@ -148,16 +164,22 @@ def guarded_pilot(pilot: PlainPilot, rotors: int) -> PlainPilot:
         problem = wrong(said, rotors)
         if problem:
             raise InputError(f"{file}:{line}: the pilot {problem}, at {time:.6g} s")
-        return tuple(float(thrust) for thrust in said[0]), said[1]
+        thrusts, memory, *alarm = said
+        return tuple(float(thrust) for thrust in thrusts), memory, float(alarm[0] if alarm else 0.0)
 
     return asked
 
 
 def wrong(said: Any, rotors: int) -> str:
-    """Error in the command of a pilot, a sentence without its subject; empty if none."""
-    if not isinstance(said, tuple) or len(said) != 2:
-        return f"must return (thrusts, memory) (got {source_text(said)})"
-    commanded = said[0]
+    """Error in the output of a pilot, a sentence without its subject; empty if none."""
+    if not isinstance(said, tuple) or len(said) not in (2, 3):
+        what = "(thrusts, memory), or (thrusts, memory, alarm)"
+        return f"must return {what} (got {source_text(said)})"
+    commanded, _, *alarm = said
+    if alarm and not (
+        isinstance(alarm[0], int | float | np.number | np.bool_) and alarm[0] in (0, 1)
+    ):
+        return f"must return 1 or 0 as alarm (got {source_text(alarm[0])})"
     if isinstance(commanded, str | bytes | Mapping | Set) or not isinstance(commanded, Iterable):
         return f"must command a list or tuple of numbers in N (got {source_text(commanded)})"
     if isinstance(commanded, Iterator):  # it could be read only once
@@ -194,5 +216,6 @@ def check_compiled_pilot(pilot: CompiledPilot, measurement: Any, rotors: int) ->
     if problem := wrong(said, rotors):
         law.refuse(problem)
     law.check_output(said.thrust, "thrusts")
+    law.check_output(said.alarm, "alarm")
     law.check_memory(pilot.memory, said.memory)
     return law

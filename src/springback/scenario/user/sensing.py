@@ -7,24 +7,30 @@ Both run within springback's pilot, so they are compiled: a `CompiledEstimator` 
 
 from __future__ import annotations
 
-import inspect
 import math
 from collections.abc import Callable, Mapping
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 from springback.errors import InputError
-from springback.kernels.tracing import traceable  # for batch set-up
+from springback.kernels.compiler import Generic
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import ZERO, Quat, Vec
 from springback.recovery.detection import CollisionInputs
 from springback.recovery.detector import DetectorStep, detector_step
 from springback.scenario.avionics import CompiledDetector, CompiledEstimator
-from springback.scenario.code_files import error_place, error_words, read_object
-from springback.scenario.user.laws import Law, home_of, law_of, layout_text, source_text
-from springback.scenario.user.pilots import PilotContext
+from springback.scenario.code_files import read_object
+from springback.scenario.user.builders import (
+    CodeLabel,
+    PilotContext,
+    built_part,
+    refuse_parameters,
+    wrong_part,
+)
+from springback.scenario.user.laws import Law, law_of, layout_text, source_text
 from springback.sensing.measurement import Estimate, EstimatorStep, Measurement, estimator_step
 
 Part = CompiledEstimator | CompiledDetector
+Step = TypeVar("Step", EstimatorStep, DetectorStep)
 _WHAT: dict[type[Part], str] = {CompiledEstimator: "an estimator", CompiledDetector: "a detector"}
 #: Layout of every estimate.
 ESTIMATE = layout_text(Estimate(ZERO, Quat(1.0, 0.0, 0.0, 0.0), ZERO, ZERO))
@@ -80,34 +86,15 @@ def built_sensing(code: SensingCode, context: PilotContext, parameters: Mapping[
     Raises:
         InputError: If the function fails, does not take them, or returns something else.
     """
-    make, names, where = code.found, tuple(parameters), code.path.rpartition(".")[0]
+    table = code.path.rpartition(".")[0]
+    make, called = code.found, CodeLabel(table, code.word, _needed(code.kind))
     if isinstance(make, code.kind):
-        if names:
-            raise InputError(f"{where}.parameters: {code.word} is no function, and takes none")
+        refuse_parameters(called, parameters)
         return make
     assert callable(make)  # read_sensing has seen to it
-    file, line = home_of(make)
-    try:
-        inspect.signature(make).bind(context, **parameters)
-    except (TypeError, ValueError) as error:
-        given = ", ".join(["a PilotContext", *names])
-        name = code.word.rpartition(":")[2]
-        raise InputError(
-            f"{file}:{line}: {name} does not take {given} ({error}); it {_needed(code.kind)}"
-        ) from error
-
-    def made(context: PilotContext, *values: Any) -> Any:
-        vectors = (Vec(*value) if isinstance(value, tuple) else value for value in values)
-        return make(context, **dict(zip(names, vectors, strict=True)))
-
-    try:
-        built = traceable(made)(context, *parameters.values())
-    except (Exception, SystemExit) as error:
-        raise InputError(f"{error_place(error, file, line)}: {error_words(error)}") from error
+    built = built_part(make, called, context, parameters)
     if not isinstance(built, code.kind):
-        raise InputError(
-            f"{file}:{line}: must return a {code.kind.__name__} (got {source_text(built)})"
-        )
+        raise wrong_part(make, f"a {code.kind.__name__}", built)
     return built
 
 
@@ -117,10 +104,7 @@ def check_estimator(own: CompiledEstimator, measurement: Measurement) -> Law:
     Raises:
         InputError: If it fails, or returns what a pilot cannot use, with file and line.
     """
-    law = law_of(estimator_step, own, "an estimator")
-    said = law.call(own.settings, 0.0, measurement, own.memory)
-    if not isinstance(said, EstimatorStep):
-        law.refuse(f"must return EstimatorStep(estimate, memory) (got {source_text(said)})")
+    law, said = _first_step(estimator_step, own, measurement, EstimatorStep)
     law.check_output(said.estimate, "estimate")
     if layout_text(said.estimate) != ESTIMATE:
         law.refuse(
@@ -139,10 +123,7 @@ def check_detector(own: CompiledDetector, inputs: CollisionInputs) -> Law:
     Raises:
         InputError: If it fails, or returns what a pilot cannot use, with file and line.
     """
-    law = law_of(detector_step, own, "a detector")
-    said = law.call(own.settings, 0.0, inputs, own.memory)
-    if not isinstance(said, DetectorStep):
-        law.refuse(f"must return DetectorStep(alarm, direction, memory) (got {source_text(said)})")
+    law, said = _first_step(detector_step, own, inputs, DetectorStep)
     law.check_output(said.alarm, "alarm")
     law.check_output(said.direction, "direction")
     if isinstance(said.alarm, tuple) or not isinstance(said.direction, Vec):
@@ -154,3 +135,15 @@ def check_detector(own: CompiledDetector, inputs: CollisionInputs) -> Law:
         law.refuse(f"must return finite numbers (got {source_text(said)})")
     law.check_memory(own.memory, said.memory)
     return law
+
+
+def _first_step(
+    step: Generic[..., Any], own: Part, seen: Any, kind: type[Step]
+) -> tuple[Law, Step]:
+    """Law of a part, and what it returns at the first tick for what it sees."""
+    law = law_of(step, own, _WHAT[type(own)])
+    said = law.call(own.settings, 0.0, seen, own.memory)
+    if not isinstance(said, kind):
+        form = f"{kind.__name__}({', '.join(kind._fields)})"
+        law.refuse(f"must return {form} (got {source_text(said)})")
+    return law, said

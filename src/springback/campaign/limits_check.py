@@ -1,0 +1,59 @@
+"""Limits of success that no arm can keep to, whatever its spring and damper."""
+
+from __future__ import annotations
+
+import numpy as np
+from pydantic import ValidationError
+
+from springback.campaign.design.layout import Design
+from springback.campaign.design.success import upper_limit
+from springback.errors import InputError
+from springback.scenario.presets import expand_presets
+from springback.scenario.tables import ScenarioTables
+from springback.studies.scenario_check import approach_to_wall, least_deceleration
+
+#: Measures that are at least the deceleration of the main body.
+DECELERATIONS = (
+    "peak_acceleration", "peak_specific_force", "impact_peak_acceleration",
+    "impact_peak_specific_force",
+)  # fmt: skip
+#: Flights that are looked at, spread over the campaign (chosen).
+TRIED = 256
+
+
+def unmet_limits(design: Design) -> list[str]:
+    """Sentences on limits of success below v²/(2 s), with which an arm stops the body at best.
+
+    Args:
+        design: Whose success is a list of conditions in words.
+    """
+    given = design.plan.success
+    limits = [upper_limit(text) for text in given] if isinstance(given, tuple) else []
+    asked = [one for one in limits if one is not None and one[0] in DECELERATIONS]
+    if not asked:
+        return []
+    name, limit = min(asked, key=lambda one: one[1])
+    numbers = np.unique(np.linspace(0, design.flights - 1, TRIED).astype(int)).tolist()
+    beyond = dict[int, tuple[float, ScenarioTables]]()
+    for number in numbers:
+        tables = design.slice(number, number + 1).tables[0]
+        try:
+            scenario = ScenarioTables.model_validate(expand_presets(tables))
+        except (InputError, ValidationError):  # a row that is refused
+            continue
+        least = least_deceleration(scenario)
+        if least > limit:
+            beyond[number] = least, scenario
+    if not beyond:
+        return []
+    worst = max(beyond, key=lambda number: beyond[number][0])
+    least, scenario = beyond[worst]
+    approach = approach_to_wall(scenario)
+    assert approach is not None  # it has a least deceleration
+    stroke = scenario.vehicle.arms.at("stroke", approach.arm)
+    return [
+        f"success asks for {name} below {limit:.4g} m/s², and in {len(beyond)} of {len(numbers)} "
+        f"flights no spring can stop the body so gently within its stroke: flight {worst} meets "
+        f"the wall at {approach.speed:.3g} m/s, and with s = {1e3 * stroke:.3g} mm v²/(2 s) is "
+        f"{least:.4g} m/s²"
+    ]
