@@ -6,11 +6,12 @@ import importlib
 import re
 import subprocess
 import sys
+import tomllib
 from collections.abc import Iterator
 from html.parser import HTMLParser
 from itertools import chain
 from pathlib import Path
-from typing import Any
+from typing import Any, get_args
 from urllib.parse import unquote, urlsplit
 
 import click
@@ -18,8 +19,12 @@ import pytest
 
 import springback
 from builders.cases import nonempty
+from springback.contact.worlds import Shape
 from springback.interfaces.cli.app import cli
+from springback.quantities import number_in
 from springback.scenario.fields import TableField, fields_of
+from springback.scenario.scenario import expand_presets
+from springback.scenario.tables import WorldSettings
 from springback.settings import Settings
 
 ROOT = Path(__file__).parents[1]
@@ -329,6 +334,64 @@ def test_scatter_is_as_told() -> None:
     assert "| true over nominal: mass, inertia | 2 %, 5 % (logarithms) |" in text
     assert (s.mass, s.inertia, s.gains) == (0.02, 0.05, 0.05)
     assert len(s.draw("arq", 0.0, 2.0, 0, 0).gains) == 5
+
+
+#: Defaults that the table of built-in shapes tells in words.
+IN_WORDS = {
+    "up": (0.0, 0.0, 1.0),
+    "along X": (1.0, 0.0, 0.0),
+    "none": None,
+    "origin": (0.0, 0.0, 0.0),
+}
+
+
+def test_built_in_shapes_are_all_on_their_page_with_their_fields_and_defaults() -> None:
+    """Each type has a row and an example that is read; defaults are those of the code, with units."""
+    text = (DOCS / "howto/obstacle.md").read_text(encoding="utf-8")
+    rows = {m[1]: m[2] for m in re.finditer(r"^\| `(\w+)` \| (.*\|.*) \|$", text, re.M)}
+    types = {cls.model_fields["type"].annotation.__args__[0]: cls for cls in get_args(Shape)}  # type: ignore[union-attr]
+    [block] = re.findall(r"```toml\n(\[world\].*?)```", text, re.S)
+    examples = tomllib.loads(block)["world"]["obstacles"]
+    del rows["type"]  # the head of the table
+    assert list(rows) == list(types) == [one["type"] for one in examples]
+    expand = expand_presets({"vehicle": "arq", "world": {"obstacles": examples}})["world"]
+    assert len(WorldSettings.model_validate(expand).obstacles) == len(types)
+    groups = {"*angles*": ("roll", "pitch", "yaw"), "*edges*": ("edge_radius",)}
+    assert "`roll`, `pitch` and `yaw` (0 deg)" in text
+    assert re.search(r"`edge_radius`\n?\s?\(1 mm\)", text)
+    for kind, cls in nonempty(types.items()):
+        row, found = rows[kind], fields_of(cls)
+        named = set(re.findall(r"`(\w+)`", row.split("|")[1]))
+        named |= {name for word, names in groups.items() if word in row for name in names}
+        assert named == set(found) - {"type", "surface"}, kind
+        for name, field in found.items():
+            told = re.search(rf"`{name}` \(([^)]*)\)", row)
+            if told is None:
+                if name in ("roll", "pitch", "yaw", "edge_radius"):
+                    assert field.default == {"edge_radius": 1e-3}.get(name, 0.0), (kind, name)
+                elif name not in ("opening", "opening_radius", "type", "surface"):
+                    assert field.required, (kind, name)
+                continue
+            if told[1] in IN_WORDS:
+                assert field.default == IN_WORDS[told[1]], (kind, name)
+                continue
+            unit = field.unit.unit if field.unit else ""
+            values = [number_in(one, unit, bare=not unit) for one in told[1].split(" × ")]
+            default = field.default if isinstance(field.default, tuple) else (field.default,)
+            assert values == pytest.approx(list(default)), (kind, name)
+
+
+def test_the_picture_of_the_shapes_is_that_of_the_examples(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib", reason="the extra plot is not installed")
+    from matplotlib.testing.compare import compare_images
+
+    subprocess.run(
+        [sys.executable, str(DOCS / "figures/shapes.py"), str(tmp_path)],
+        check=True, capture_output=True,
+    )  # fmt: skip
+    (tmp_path / "kept.png").write_bytes((DOCS / "figures/shapes.png").read_bytes())
+    drawn = str(tmp_path / "shapes.png")
+    assert compare_images(str(tmp_path / "kept.png"), drawn, tol=5.0) is None
 
 
 def test_figures_of_the_chapters_are_those_that_are_drawn(tmp_path: Path) -> None:

@@ -9,6 +9,8 @@ import { Path, Shadow, compass, joined, moved, obstacle, rail, reference } from 
 /** Length of the arrow of a round force near the largest [m]; distance of robots side by side [m]. */
 const ROUND_ARROW = 0.22;
 const BETWEEN = 0.2;
+/** Flights with bodies wider than this are not put side by side, but in one place [m]. */
+const WIDEST = 2.5;
 /** Flights whose first touches differ by more than this are aligned [s]. */
 const TOGETHER = 5e-3;
 const FOLLOWING = ["follow", "front", "side", "top"];
@@ -62,7 +64,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
 
   let renderer = null;
   try {
-    renderer = new THREE.WebGLRenderer({ antialias: true, alpha: false, powerPreference: "high-performance" });
+    renderer = new THREE.WebGLRenderer({ antialias: true, alpha: false, stencil: true, powerPreference: "high-performance" });
   } catch {
     const sorry = document.createElement("p");
     sorry.className = "no-graphics";
@@ -90,6 +92,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
   const resolution = new THREE.Vector2(1, 1);
 
   if (renderer) {
+    renderer.localClippingEnabled = true;
     element.append(renderer.domElement, labels, legend);
     renderer.domElement.setAttribute("role", "img");
     renderer.domElement.setAttribute("aria-label", "The flight in three dimensions, with numbers beside it.");
@@ -172,12 +175,31 @@ export function createScene(element, { flights = [], compare = "side", align = t
   /** Horizontal direction into the first wall, or north. */
   const forward = () => leftward().applyAxisAngle(camera.up, -Math.PI / 2);
 
+  /** Width of the bodies of built-in shapes across the flights [m]. */
+  function widthOfBodies(across) {
+    const at = new THREE.Vector3();
+    let [low, high] = [Infinity, -Infinity];
+    for (const one of state.flights.flatMap((flight) => flight.obstacles)) {
+      if (one.kind !== "mesh" || one.normals) continue;
+      const places = unpacked(one.vertices);
+      for (let k = 0; k < places.length; k += 3) {
+        const aside = at.fromArray(places, k).dot(across);
+        [low, high] = [Math.min(low, aside), Math.max(high, aside)];
+      }
+    }
+    return Math.max(0, high - low);
+  }
+
+  /** "side" or "ghost": as chosen, unless bodies in the way would stand in each other. */
+  const comparison = () => (state.flights.length > 1 && widthOfBodies(leftward()) > WIDEST ? "ghost" : state.compare);
+
   function offsets() {
-    if (state.compare !== "side") return state.flights.map(() => [0, 0, 0]);
+    if (comparison() !== "side") return state.flights.map(() => [0, 0, 0]);
     const across = leftward();
     const reach = Math.max(...state.flights.map(reachOf));
+    const apart = Math.max(2 * reach, widthOfBodies(across)) + BETWEEN;
     const middle = 0.5 * (state.flights.length - 1);
-    return state.flights.map((_, k) => across.clone().multiplyScalar((middle - k) * (2 * reach + BETWEEN)).toArray());
+    return state.flights.map((_, k) => across.clone().multiplyScalar((middle - k) * apart).toArray());
   }
 
   /** Replace the flights; the camera is kept if requested. */
@@ -206,7 +228,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
       const group = new THREE.Group();
       group.position.set(...places[k]);
       content.add(group);
-      const ghost = k > 0 && state.compare === "ghost";
+      const ghost = k > 0 && comparison() === "ghost";
       const robot = new Robot(flight, { colour: flight.colour, opacity: ghost ? 0.35 : 1 }, colours);
       const path = new Path(flight, colours, resolution);
       const arrows = [...flight.arms, ...flight.hull].map(() => new Arrow(colours.force, 0.007, ghost ? 0.4 : 0.95));
@@ -230,14 +252,14 @@ export function createScene(element, { flights = [], compare = "side", align = t
       return { flight, group, robot, estimate, path, arrows, shadow, scale, names, ghost, contacts: [] };
     });
     const things = state.flights.flatMap((flight, k) => flight.obstacles.map((one) => moved(one, places[k])));
+    const ground = things.some((one) => one.kind === "ground") ? state.floor : null;
     joined(things).forEach((thing) => {
-      const drawn = obstacle(thing, colours, unpacked);
+      const drawn = obstacle(thing, colours, ground);
       drawn.position.set(...(thing.moved ?? [0, 0, 0]));
       content.add(drawn);
     });
-    const grounds = things.filter((one) => one.kind === "ground");
     state.box = boxes.clone();
-    if (!grounds.length) {
+    if (ground === null) {
       boxes.min.z = state.floor;
       content.add(reference(boxes, colours));
     }
@@ -275,6 +297,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     }
     if (state.flights.some((f) => f.thrust.some((x) => x > 0))) entry("thrust", "thrust");
     const kinds = new Set(state.flights.flatMap((f) => f.obstacles.map((o) => (o.kind === "mesh" ? o.name : o.kind))));
+    if (comparison() !== state.compare) entry("words", "overlaid: the obstacles are too wide to be put side by side");
     if (state.magnified !== 1) entry("travel", `arm travel × ${state.magnified}, not to scale`);
     if (kinds.has("mat")) entry("mat", "mat");
     [...kinds].filter((kind) => !["wall", "mat", "ground"].includes(kind)).forEach((name) => entry("own", name));

@@ -3,6 +3,12 @@ import * as THREE from "three";
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
+import { unpacked } from "./flight.js";
+import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
+
+/** Faces that meet at less than this are shaded as one [rad]; edges sharper than this are drawn [deg]. */
+const SMOOTH = 0.6;
+const EDGE = 25;
 
 const vector = (v) => new THREE.Vector3(...v);
 
@@ -44,19 +50,44 @@ function slab(thing, depth, colour, opacity, from = 0) {
   return mesh;
 }
 
-/** An obstacle. */
-export function obstacle(thing, colours, unpacked) {
+/** A shape of the user's own: a piece of its surface. */
+function surface(thing, colours) {
+  const shape = new THREE.BufferGeometry();
+  shape.setAttribute("position", new THREE.BufferAttribute(unpacked(thing.vertices), 3));
+  shape.setAttribute("normal", new THREE.BufferAttribute(unpacked(thing.normals), 3));
+  shape.setIndex(Array.from(unpacked(thing.triangles)));
+  return new THREE.Mesh(shape, new THREE.MeshStandardMaterial({
+    color: colours.wall, transparent: true, opacity: 0.55, roughness: 0.85, side: THREE.DoubleSide,
+  }));
+}
+
+/**
+ * Closed bodies with sharp edges: of each pixel only the nearest face is drawn, so that they are
+ * evenly translucent, and nothing below the ground.
+ */
+function body(thing, colours, floor) {
+  const welded = new THREE.BufferGeometry();
+  welded.setAttribute("position", new THREE.BufferAttribute(unpacked(thing.vertices), 3));
+  welded.setIndex(Array.from(unpacked(thing.triangles)));
+  const shape = toCreasedNormals(welded, SMOOTH);
+  const clippingPlanes = floor === null ? [] : [new THREE.Plane(new THREE.Vector3(0, 0, 1), -floor)];
+  const depths = new THREE.Mesh(shape, new THREE.MeshBasicMaterial({ colorWrite: false, transparent: true, clippingPlanes }));
+  const faces = new THREE.Mesh(shape, new THREE.MeshStandardMaterial({
+    color: colours.wall, transparent: true, opacity: 0.72, roughness: 0.85, depthWrite: false, clippingPlanes,
+    stencilWrite: true, stencilRef: 1, stencilFunc: THREE.NotEqualStencilFunc, stencilZPass: THREE.ReplaceStencilOp,
+  })); // by the stencil each pixel once, where faces of two bodies coincide, too
+  const edges = new THREE.LineSegments(new THREE.EdgesGeometry(welded, EDGE), new THREE.LineBasicMaterial({
+    color: colours.ink, transparent: true, opacity: 0.35, depthWrite: false, clippingPlanes,
+  }));
+  welded.dispose();
+  [depths, faces, edges].forEach((one, k) => (one.renderOrder = 3 + k));
+  return new THREE.Group().add(depths, faces, edges);
+}
+
+/** An obstacle; bodies end at the height of the ground, if there is any. */
+export function obstacle(thing, colours, floor = null) {
   const group = new THREE.Group();
-  if (thing.kind === "mesh") {
-    const shape = new THREE.BufferGeometry();
-    shape.setAttribute("position", new THREE.BufferAttribute(unpacked(thing.vertices), 3));
-    shape.setAttribute("normal", new THREE.BufferAttribute(unpacked(thing.normals), 3));
-    shape.setIndex(Array.from(unpacked(thing.triangles)));
-    group.add(new THREE.Mesh(shape, new THREE.MeshStandardMaterial({
-      color: colours.wall, transparent: true, opacity: 0.55, roughness: 0.85, side: THREE.DoubleSide,
-    })));
-    return group;
-  }
+  if (thing.kind === "mesh") return thing.normals ? group.add(surface(thing, colours)) : body(thing, colours, floor);
   const centre = vector(thing.centre);
   const lift = vector(thing.normal).multiplyScalar(0.001);
   const lines = (opacity, colour, step) =>
@@ -235,11 +266,20 @@ export function joined(things) {
     const flat = one.kind !== "mesh";
     const name = flat
       ? [one.kind, one.thickness, ...one.normal, dot(one.normal, one.centre)].map((x) => (x.toFixed ? x.toFixed(4) : x)).join()
-      : `${one.name} ${one.moved}`;
+      : `${one.name} ${one.key} ${one.moved}`;
     const other = found.get(name);
-    found.set(name, other && flat ? union(other, one) : one);
+    found.set(name, !other ? one : flat ? union(other, one) : larger(other, one));
   }
   return [...found.values()];
+}
+
+/** Of two pieces of the same obstacles, cut off elsewhere, the one with more in it. */
+function larger(a, b) {
+  const [one, other] = [a, b].map((thing) => {
+    const box = new THREE.Box3().setFromArray(unpacked(thing.vertices));
+    return thing.triangles.shape[0] + 0.01 * box.getSize(new THREE.Vector3()).length();
+  });
+  return other > one ? b : a;
 }
 
 function union(a, b) {

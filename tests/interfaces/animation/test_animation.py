@@ -14,6 +14,8 @@ import pytest
 from click.testing import CliRunner, Result
 from PIL import Image
 
+from springback.contact.library import WALL
+from springback.contact.openings import Window
 from springback.errors import InputError
 from springback.interfaces.animation import bodies, timing
 from springback.interfaces.animation import film as animation
@@ -22,6 +24,7 @@ from springback.interfaces.cli.app import cli
 from springback.interfaces.output.folders import output_folder
 from springback.interfaces.replay.geometry import Drawable
 from springback.interfaces.replay.scene import Scene, scene_of
+from springback.interfaces.replay.shape_meshes import mesh_of
 from springback.interfaces.reports.flight_files import write_flight
 from springback.results.flight import fly
 from springback.scenario.scenario import scenario_from
@@ -141,10 +144,74 @@ def test_a_mesh_is_cut_where_it_meets_the_view() -> None:
     assert {tuple(np.round(p, 9)) for p in pieces} == {(0.0, 0.0), (0.5, 0.0), (0.0, 0.5)}
 
 
+def drawn_window(**fields: Any) -> Drawable:
+    window = Window(
+        type="window", position=(2.7, 0.0, 1.0), size=(2.4, 1.8), surface=WALL, **fields
+    )
+    mesh = mesh_of(window)
+    return Drawable("mesh", "window", vertices=mesh.vertices, triangles=mesh.triangles, key="w")
+
+
+def area(outlines: list[np.ndarray]) -> float:
+    """With sign: openings wind the other way."""
+    after = [np.roll(one, -1, axis=0) for one in outlines]
+    pairs = zip(outlines, after, strict=True)
+    return sum(0.5 * float((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum()) for a, b in pairs)
+
+
+AHEAD = bodies.ViewPlane(np.array([0, -1.0, 0]), np.array([0, 0, 1.0]), np.array([2.7, 0, 1.0]))
+BESIDE = bodies.ViewPlane(np.array([1.0, 0, 0]), np.array([0, 0, 1.0]), np.array([2.0, 0, 1.1]))
+
+
+@pytest.mark.parametrize(
+    ("opening", "hole"),
+    [({"opening": (0.7, 0.5)}, 0.35), ({"opening_radius": 0.4}, math.pi * 0.16)],
+)
+def test_an_opening_is_open_in_section_and_silhouette(opening: Any, hole: float) -> None:
+    """From in front the wall without its hole; cut through its middle, what is above and below."""
+    thing = drawn_window(**opening)
+    outline = bodies.silhouette(thing, AHEAD)
+    assert len(outline) == 2
+    assert area(outline) == pytest.approx(2.4 * 1.8 - hole, rel=0.01)
+    assert area(bodies.section_outlines(thing, AHEAD)) == pytest.approx(2.4 * 1.8 - hole, rel=0.01)
+    pieces = bodies.section_outlines(thing, BESIDE)
+    high = opening["opening"][1] if "opening" in opening else 0.8
+    assert len(pieces) == 2
+    assert area(pieces) == pytest.approx(0.1 * (1.8 - high), rel=0.02)
+    overlap = 0.1 * (1.8 + high)  # the far side of the opening is behind the near side of the wall
+    assert area(bodies.silhouette(thing, BESIDE)) == pytest.approx(overlap, rel=0.02)
+    far = BESIDE._replace(through=np.array([2.0, 3.0, 1.1]))
+    assert bodies.silhouette(thing, far) == []
+    assert bodies.section_outlines(thing, far) == []
+
+
+def test_a_pole_is_seen_from_the_side_along_the_way_flown() -> None:
+    """Whatever part of it a cage touches; it is filled, as the wall of another flight is."""
+    flight = fly(scenario_from({
+        "vehicle": "arq", "thrust": "hover", "simulation": {"duration": "0.2 s"},
+        "world": {"obstacles": [{"type": "pole", "position": [2.7, 0.1, 0], "radius": "5 cm",
+                                 "surface": "wall"}]},
+        "start": {"position": ["2.2 m", 0, "1 m"], "velocity": ["2 m/s", 0, 0]},
+    }))  # fmt: skip
+    scene = scene_of(flight)
+    side, above = bodies.views(scene)
+    assert side.right == pytest.approx([1.0, 0.0, 0.0], abs=1e-3)
+    [pole] = scene.obstacles
+    [circle] = bodies.section_outlines(pole, above)
+    assert area([circle]) == pytest.approx(math.pi * 0.05**2, rel=0.02)
+    k = int(np.argmax(np.linalg.norm(scene.force, axis=2).sum(axis=1)))
+    for force, point in zip(scene.force[k], above(scene.point[k]), strict=True):
+        if np.linalg.norm(force) > 0.0:
+            away = np.linalg.norm(point - circle.mean(axis=0))
+            assert away == pytest.approx(0.05, abs=0.015)
+            assert above(force) @ (point - circle.mean(axis=0)) > 0.0
+
+
 def test_a_shape_of_ones_own_is_in_the_picture(scene: Scene) -> None:
     """A robot that turns back in front of nothing would say something else."""
     corners = np.array([[3.0, y, z] for y in (-1.0, 1.0) for z in (0.0, 2.0)])
-    wall = Drawable("mesh", "own", vertices=corners, triangles=np.array([[0, 1, 2], [1, 3, 2]]))
+    faces, ahead = np.array([[0, 1, 2], [1, 3, 2]]), np.tile([-1.0, 0.0, 0.0], (4, 1))
+    wall = Drawable("mesh", "own", vertices=corners, triangles=faces, normals=ahead)
     when = timing.timing([scene], slow=20.0, fps=25.0)
     without, within = (
         Frame([replace(scene, obstacles=things)], when, (400, 360)).at(0)

@@ -246,6 +246,29 @@ def test_nothing_sticks_out_of_the_page(browser: Any, lab: str, width: int) -> N
         resized(browser, 1000, 700)
 
 
+def test_another_obstacle_is_chosen_hit_and_drawn(browser: Any, lab: str) -> None:
+    """Its controls come, the slider's goes; the link brings it back, at the same numbers."""
+    opened(browser, lab)
+    assert not browser.find_element(ID, "set-radius").is_displayed()
+    browser.find_element(CSS, "#set-obstacle option[value=pole]").click()
+    until(lambda: "ARQ hits the pole" in shown(browser)["outcomes"], "a pole")
+    assert browser.find_element(ID, "set-radius").is_displayed()
+    assert browser.find_element(ID, "set-offset").is_displayed()
+    assert not browser.find_element(CSS, "[data-name=guide]").is_displayed()
+    assert not browser.find_element(ID, "set-opening").is_displayed()
+    assert "pole" in browser.find_element(CSS, ".scene-legend").text.split("\n")
+    slide(browser, "offset", 560)
+    until(lambda: shown(browser)["query"] == "obstacle=pole&offset=60", "an offset")
+    moved = shown(browser)
+    opened(browser, moved["link"])
+    assert shown(browser) == moved
+    apart = """
+        const places = window.springback.answer.flights.map((one) => one.scene.obstacles.map((o) => o.name));
+        return places.flat();"""
+    assert browser.execute_script(apart) == ["pole", "pole"]
+    assert [text for text in errors(browser) if "503" not in text] == []
+
+
 def test_a_file_can_be_taken_away(browser: Any, lab: str) -> None:
     opened(browser, f"{lab}?stiffness=2.6")
     links = [a.get_attribute("href") for a in browser.find_elements(CSS, ".files a")]

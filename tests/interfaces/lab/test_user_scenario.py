@@ -153,6 +153,34 @@ def test_an_impact_of_ones_own_vehicle_arrives_as_asked(
     assert m["touch_speed"] == pytest.approx(3.0, rel=1e-5)
 
 
+def test_ones_own_vehicle_hits_other_obstacles_with_the_surface_of_its_file(file: Path) -> None:
+    """An impact on a pole with the friction of the file's wall; as in the file the wall is hit."""
+    table = table_of(file)
+    asked = setting(table, mode="impact", obstacle="pole", radius=70)
+    scenario = lab_scenario(asked, "mine")
+    [pole] = scenario.world.obstacles
+    assert (pole.type, pole.surface.friction) == ("pole", 0.4)
+    assert scenario.vehicle == lab_scenario(table(), "mine").vehicle
+    m = fly(scenario, trajectory=False).measures
+    assert m["touch_time"] == pytest.approx(BEFORE, abs=3e-4)
+    as_is = setting(table, obstacle="pole")  # it has no effect on what is in the file
+    assert lab_scenario(as_is, "mine").world == read_scenario(file).world
+    assert kind_of(as_is) == kind_of(table())
+
+
+def test_a_file_with_a_shape_opens_and_is_flown_as_it_is(tmp_path: Path) -> None:
+    path = tmp_path / "pole.toml"
+    wall = 'type = "wall"\ndistance = "2.75 m"\nsurface = {preset = "wall", friction = 0.4}'
+    pole = 'type = "pole"\nposition = [2.75, 0, 0]\nradius = 0.05\nsurface = "wall"'
+    assert wall in FILE
+    path.write_text(FILE.replace(wall, pole) + VEHICLE, encoding="utf-8")
+    table = table_of(path)
+    [shown] = answer(table())["flights"]
+    assert "hits the obstacle at" in shown["sentence"]
+    assert [one["name"] for one in shown["scene"]["obstacles"]] == ["pole"]
+    assert fly(lab_scenario(table(), "mine")).measures == fly(read_scenario(path)).measures
+
+
 def test_a_hull_that_sticks_out_touches_first(file: Path) -> None:
     asked = setting(table_of(file, "vehicle.hull.radius=0.4"), mode="impact")
     m = fly(lab_scenario(asked, "mine"), trajectory=False).measures

@@ -246,3 +246,85 @@ def test_sum_and_parts_of_contact_forces_go_by_different_names(driver: Any, page
     whole, parts = np.linalg.norm(np.sum(forces, axis=0)), np.linalg.norm(forces, axis=1)
     assert whole < 0.95 * parts.sum()  # friction of one cancels that of the other
     assert f"{whole:.0f}" in cells
+
+
+BODIES = [
+    {"type": "window", "position": [2.75, 0.0, 1.0], "size": [1.2, 1.0], "opening": [0.7, 0.4]},
+    {"type": "pole", "position": [2.7, 0.4, 0.0], "radius": 0.05},
+    {"type": "pole", "position": [2.7, -0.4, 0.0], "radius": 0.05},
+    {"type": "slope", "position": [3.0, 0.0, 0.0], "angle": "40 deg"},
+    {"type": "ground"},
+]
+
+
+def test_built_in_bodies_are_seen_and_an_opening_is_open(driver: Any, tmp_path: Path) -> None:
+    """Seen from in front: wall beside the opening, not in it; two poles; names in the legend."""
+    world = {"obstacles": [{**one, "surface": "wall"} for one in BODIES]}
+    flown = fly(TABLES | {"world": world, "simulation": {"duration": 0.15}})
+    assert flown.contacts == 0
+    path = tmp_path / "bodies.html"
+    export_page(replay_of([flown]), path)
+    resized(driver, 1440, 900)
+    opened(driver, path, "#t=0&camera=front")
+    legend = driver.find_element("css selector", ".scene-legend").text.split("\n")
+    assert {"window", "pole", "slope"} <= set(legend)
+    assert "ground" not in legend
+    differences = """
+        const S = window.springback.scene, canvas = document.createElement("canvas");
+        const shot = () => {
+          const from = S.canvas();
+          [canvas.width, canvas.height] = [from.width, from.height];
+          const pen = canvas.getContext("2d", { willReadFrequently: true });
+          pen.drawImage(from, 0, 0);
+          return pen.getImageData(0, 0, from.width, from.height);
+        };
+        const flights = S.flights;
+        const without = (names) => {
+          S.replace(flights.map((f) => ({ ...f, obstacles: f.obstacles.filter((o) => !names.includes(o.name)) })));
+          return shot();
+        };
+        const whole = without([]);
+        return arguments[0].map((names) => {
+          const less = without(names);
+          const columns = new Set();
+          let middle = 0;
+          for (let y = 0; y < whole.height; y++) for (let x = 0; x < whole.width; x++) {
+            const at = 4 * (y * whole.width + x);
+            if (Math.abs(whole.data[at] - less.data[at]) < 8) continue;
+            columns.add(Math.floor((10 * x) / whole.width));
+            const [u, v] = [x / whole.width - 0.5, y / whole.height - 0.5];
+            if (Math.abs(u) < 0.04 && v < -0.06 && v > -0.12) middle += 1;
+          }
+          return { columns: [...columns].sort(), middle };
+        });"""
+    window, pole = driver.execute_script(differences, [["window"], ["pole"]])
+    assert window["middle"] == 0  # above the robot the opening shows what is behind
+    assert len(window["columns"]) > 3
+    assert min(pole["columns"]) < 4.5 < max(pole["columns"])  # one on either side
+    assert not {4, 5} & set(pole["columns"])
+    assert complaints(driver) == []
+
+
+def test_bodies_of_two_flights_stand_apart_or_are_one(driver: Any, tmp_path: Path) -> None:
+    """Side by side as far apart as they are wide, one over the other once; wide ones always so."""
+    apart = """
+        const S = window.springback.scene;
+        S.canvas();
+        return S.memory().geometries;"""
+    counts, legends = {}, {}
+    for name, one in (
+        ("hoop", {"radius": 0.7, "tube_radius": 0.03, "position": [2.7, 0, 1]}),
+        ("doorway", {"position": [2.7, 0, 0]}),
+    ):
+        world = {"obstacles": [{"type": name, "surface": "wall", **one}]}
+        flights = [fly(TABLES | {"world": world, "vehicle": robot}) for robot in ("arq", "quad")]
+        path = tmp_path / f"{name}.html"
+        export_page(replay_of(flights), path)
+        for mode in ("side", "ghost"):
+            opened(driver, path, f"#compare={mode}&t=0")
+            counts[name, mode] = driver.execute_script(apart)
+            legends[name, mode] = driver.find_element("css selector", ".scene-legend").text
+    assert counts["hoop", "side"] > counts["hoop", "ghost"]
+    assert counts["doorway", "side"] == counts["doorway", "ghost"]
+    assert {case for case, text in legends.items() if "overlaid" in text} == {("doorway", "side")}
+    assert complaints(driver) == []

@@ -6,11 +6,14 @@ from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
+from scipy.sparse import coo_matrix
+from scipy.sparse.csgraph import connected_components
 
 from springback.interfaces.replay.geometry import Drawable
 from springback.interfaces.replay.scene import ArmShape, HullShape, Scene
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
+Cells = np.ndarray[Any, np.dtype[np.intp]]
 
 #: Chosen: half the width and height of the main body [m], and of the mast on top of it.
 BODY, BODY_HEIGHT, MAST = 0.055, 0.018, 0.07
@@ -20,6 +23,10 @@ CIRCLE = np.linspace(0.0, 2.0 * np.pi, 49)
 HELIX = np.linspace(0.0, 1.0, 16 * COILS + 1)
 EDGE_ON = 0.2
 """A face is not drawn if its normal's component in the plane of the view is below this."""
+TOUCHED = 0.06
+"""Chosen: a contact point that is farther from all planes is on a body [m]; mats are compressed."""
+BESIDE, SAME = 1.0, 1e-9
+"""Chosen: outlines are of bodies within this of the plane of a view; points that are one [m]."""
 
 
 class ViewPlane(NamedTuple):
@@ -28,6 +35,10 @@ class ViewPlane(NamedTuple):
     right: Array
     up: Array
     through: Array
+
+    def outward(self) -> Array:
+        """Direction to who looks at it."""
+        return np.asarray(np.cross(self.right, self.up))
 
     def __call__(self, points: Array) -> Array:
         """Projection of world points, shape (..., 3), onto the plane, shape (..., 2) [m]."""
@@ -107,12 +118,20 @@ def views(scene: Scene) -> tuple[ViewPlane, ViewPlane]:
 
 
 def _normal(scene: Scene, point: Array, force: Array) -> Array:
-    """Outward normal of the face nearest to a point; without faces, direction of the force."""
+    """Outward normal of the face that is touched at a point, else direction of the force.
+
+    Of a built-in body it is against the way flown: the view is along its axes, not the cage's.
+    """
     faces = [d for d in scene.obstacles if d.normal]
-    if not faces:
-        return force / np.linalg.norm(force)
     away = [abs(float(np.dot(np.subtract(point, d.centre), d.normal))) for d in faces]
-    return np.array(faces[int(np.argmin(away))].normal)
+    if faces and (min(away) < TOUCHED or len(faces) == len(scene.obstacles)):
+        return np.array(faces[int(np.argmin(away))].normal)
+    first = int(np.argmax(np.abs(scene.force).max(axis=(1, 2)) > 0.0))
+    way = np.diff(scene.position[max(first - 1, 0) :][:2], axis=0)[0] * [1.0, 1.0, 0.0]
+    is_body = any(d.vertices is not None and d.normals is None for d in scene.obstacles)
+    if is_body and (length := float(np.linalg.norm(way))) > 0.0:
+        return np.asarray(-way / length)
+    return np.asarray(force / np.linalg.norm(force))
 
 
 # -- the robot ------------------------------------------------------------------------------------
@@ -182,14 +201,78 @@ def half_plane(thing: Drawable, view: ViewPlane, depth: float, size: float) -> A
 
 
 def plane_section(thing: Drawable, view: ViewPlane) -> Array:
-    """Section of a mesh with the plane of a view, shape (pieces, 2, 2) [m]."""
+    """Section of a mesh with the plane of a view, shape (pieces, 2, 2) [m].
+
+    The body is on the left of each piece.
+    """
     if thing.vertices is None or thing.triangles is None:
         return np.zeros((0, 2, 2))
-    out = (thing.vertices - view.through) @ np.cross(view.right, view.up)
+    out = (thing.vertices - view.through) @ view.outward()
     height, place = out[thing.triangles], view(thing.vertices)[thing.triangles]
     crossed = np.flatnonzero((height.min(axis=1) < 0.0) & (height.max(axis=1) >= 0.0))
     pieces = []
     for h, p in zip(height[crossed], place[crossed], strict=True):
         sides = [(a, b) for a, b in ((0, 1), (1, 2), (2, 0)) if (h[a] < 0.0) != (h[b] < 0.0)]
+        sides.sort(key=lambda side: h[side[0]] < 0.0)
         pieces.append([p[a] + h[a] / (h[a] - h[b]) * (p[b] - p[a]) for a, b in sides])
     return np.array(pieces).reshape(-1, 2, 2)
+
+
+def section_outlines(thing: Drawable, view: ViewPlane) -> list[Array]:
+    """Section of a closed mesh with the plane of a view as closed outlines [m]."""
+    pieces = plane_section(thing, view)
+    if not len(pieces):
+        return []
+    cells = np.round(pieces.reshape(-1, 2) / SAME).astype(np.int64)
+    places, number = np.unique(cells, axis=0, return_inverse=True)
+    ways = number.reshape(-1, 2)
+    loops = _loops(ways[ways[:, 0] != ways[:, 1]])
+    return [SAME * places[loop].astype(float) for loop in loops]
+
+
+def silhouette(thing: Drawable, view: ViewPlane) -> list[Array]:
+    """Outlines in a view of those bodies of a mesh that are near its plane [m].
+
+    The outlines of overlapping parts wind in the same sense, those of openings in the other.
+    """
+    if thing.vertices is None or thing.triangles is None:
+        return []
+    flat, cells, count = view(thing.vertices), thing.triangles, len(thing.vertices)
+    a, b, c = (flat[cells[:, k]] for k in range(3))
+    u, v = b - a, c - a
+    near = _near_bodies(cells, (thing.vertices - view.through) @ view.outward())
+    front = cells[near & (u[:, 0] * v[:, 1] - u[:, 1] * v[:, 0] > 0.0)]
+    ways = np.concatenate([front[:, [k, (k + 1) % 3]] for k in range(3)])
+    there, back = ways @ [count, 1], ways @ [1, count]
+    return [flat[loop] for loop in _loops(ways[~np.isin(there, back)])]
+
+
+def _near_bodies(cells: Cells, height: Array) -> Any:
+    """True for the triangles of bodies that are near a plane.
+
+    Args:
+        cells: Triangles.
+        height: Of the vertices above the plane [m].
+    """
+    ways = np.concatenate([cells[:, [0, 1]], cells[:, [1, 2]]])
+    pairs = (np.ones(len(ways)), tuple(ways.T))
+    _, body = connected_components(coo_matrix(pairs, shape=(len(height),) * 2), directed=False)
+    low, high = np.full(body.max() + 1, np.inf), np.full(body.max() + 1, -np.inf)
+    np.minimum.at(low, body, height)
+    np.maximum.at(high, body, height)
+    return ((low < BESIDE) & (high > -BESIDE))[body[cells[:, 0]]]
+
+
+def _loops(ways: Cells) -> list[list[int]]:
+    """Closed loops of directed edges, each an origin and an end."""
+    after: dict[int, list[int]] = {}
+    for origin, end in ways.tolist():
+        after.setdefault(origin, []).append(end)
+    loops = []
+    for origin in after:
+        while after[origin]:
+            loop = [origin]
+            while (ends := after.get(loop[-1])) and (len(loop) == 1 or loop[-1] != origin):
+                loop.append(ends.pop())
+            loops.append(loop)
+    return loops

@@ -9,7 +9,8 @@ from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
-from matplotlib.patches import Polygon
+from matplotlib.patches import PathPatch, Polygon
+from matplotlib.path import Path
 from scipy.spatial import ConvexHull
 
 from springback.interfaces.animation.bodies import (
@@ -22,14 +23,19 @@ from springback.interfaces.animation.bodies import (
     half_plane,
     plane_section,
     ring,
+    section_outlines,
+    silhouette,
     sphere_outline,
 )
 from springback.interfaces.output.robots import GREEN, GREY, INK, ORANGE
+from springback.interfaces.replay.geometry import Drawable
 from springback.interfaces.replay.scene import Scene
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 MATTER = {"wall": "#B9C0C8", "mat": "#C9D8C4", "ground": "#CFC9BE"}
+BEHIND = "#E3E6EA"
+"""Bodies in front of and behind the plane of a view."""
 FAR = 30.0
 """Size of half planes, larger than any view [m]."""
 THRUST_BAR = 0.10
@@ -94,19 +100,38 @@ class ScenePanel:
         return line
 
     def _obstacles(self, unit: float) -> None:
-        for thing in self.scene.obstacles:
-            colour = MATTER.get(thing.kind, MATTER["wall"])
-            if thing.vertices is not None:
+        """Outlines of bodies, faces, sections of bodies, and the ground, which hides their feet."""
+        edge: dict[str, Any] = {"ec": "#7B838C", "lw": 0.8 * unit}
+        bodies = [thing for thing in self.scene.obstacles if thing.vertices is not None]
+        for thing in bodies:
+            self._area(silhouette(thing, self.view), fc=BEHIND, ec="#AEB5BD", lw=0.6 * unit)
+        walls = [thing for thing in self.scene.obstacles if thing.normal]
+        for thing in walls:
+            if thing.kind != "ground":
+                self._face(thing, edge)
+        for thing in bodies:
+            if thing.normals is None:
+                self._area(section_outlines(thing, self.view), fc=MATTER["wall"], **edge)
+            else:  # a piece of a surface
                 pieces = list(plane_section(thing, self.view))
                 mesh = LineCollection(pieces, colors=GREY, linewidths=1.6 * unit)
                 self._moves(self.ax.add_collection(mesh))
-                continue
-            depths = (0.0, thing.thickness) if thing.thickness else (0.0,)
-            for depth, fill in zip(depths, (colour, MATTER["wall"]), strict=False):
-                area = half_plane(thing, self.view, depth, FAR)
-                if area is not None:
-                    edge: dict[str, Any] = {"ec": "#7B838C", "lw": 0.8 * unit}
-                    self._moves(self.ax.add_patch(Polygon(area, fc=fill, **edge)))
+        for thing in walls:
+            if thing.kind == "ground":
+                self._face(thing, edge)
+
+    def _face(self, thing: Drawable, edge: dict[str, Any]) -> None:
+        colour = MATTER.get(thing.kind, MATTER["wall"])
+        depths = (0.0, thing.thickness) if thing.thickness else (0.0,)
+        for depth, fill in zip(depths, (colour, MATTER["wall"]), strict=False):
+            area = half_plane(thing, self.view, depth, FAR)
+            if area is not None:
+                self._moves(self.ax.add_patch(Polygon(area, fc=fill, **edge)))
+
+    def _area(self, outlines: list[Array], **look: Any) -> None:
+        if outlines:
+            path = Path.make_compound_path(*(Path(one, closed=True) for one in outlines))
+            self._moves(self.ax.add_patch(PathPatch(path, **look)))
 
     def shape(self) -> float:
         """Ratio of height to width."""

@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
+from springback.interfaces.lab.obstacles import obstacle_of
 from springback.interfaces.lab.scenarios import is_piloted
 from springback.interfaces.lab.settings import (
     DEFAULTS,
@@ -97,6 +98,8 @@ def measure_rows(settings: LabSettings, flights: dict[str, Flight]) -> list[dict
 
 def _printed_text(settings: LabSettings, robot: str, one: Measure) -> str:
     """Number of Table III as shown: simulated, and in brackets the tested one where printed."""
+    if obstacle_of(settings) != "wall":
+        return ""
     if (robot, settings.mode, settings.pitch, settings.speed) == ("arq", "flight", *FASTEST):
         return f"{PITCHES[one.name]:.3g}" if one.name in PITCHES else ""
     row: PrintedImpact | None = TABLE_III.get((robot, settings.surface))  # none of the file's
@@ -109,6 +112,8 @@ def _printed_text(settings: LabSettings, robot: str, one: Measure) -> str:
 
 def printed_for(settings: LabSettings) -> dict[str, Any]:
     """Settings for which the printed numbers hold (``words``), and if these are they (``same``)."""
+    if obstacle_of(settings) != "wall":
+        return {"words": "", "same": False}
     if settings.mode == "flight":
         return {
             "words": "Paper, section Impact Resilience: trials recovered; pitch of a recovery.",
@@ -128,6 +133,8 @@ def _is_papers(settings: LabSettings, *names: str) -> bool:
 def printed_success(settings: LabSettings, robot: str) -> str:
     """Success of such a collision as the paper prints it; empty if it prints nothing."""
     key = robot, settings.pitch, settings.speed
+    if obstacle_of(settings) != "wall":
+        return ""
     if key in SUCCESS:
         return f"{SUCCESS[key]:.0%} recovered"
     return SUCCESS_WORDS.get(key, "")
@@ -142,6 +149,8 @@ def went_well(settings: LabSettings, flight: Flight) -> bool:
         return flight.outcome is Outcome.RECOVERED
     if is_piloted(settings):
         return flight.success
+    if obstacle_of(settings) == "window" and flight.measures["touch_speed"] is None:
+        return True
     return flight.outcome is Outcome.SEPARATED
 
 
@@ -149,7 +158,8 @@ def sentence(settings: LabSettings, robot: str, flight: Flight) -> str:
     """Summary of a flight in a sentence."""
     name, m = robot_name(settings, robot), flight.measures
     if m["touch_speed"] is None:
-        return f"{name} touches nothing."
+        window = obstacle_of(settings) == "window" and not is_piloted(settings)
+        return f"{name} {'flies through the window and ' if window else ''}touches nothing."
     words = f"{name} hits the {_target(settings)} at {m['touch_speed']:.2f} m/s"
     again, lasted = m["restitution_at_separation"], m["contact_time"]
     if again is not None and lasted is not None:
@@ -163,6 +173,8 @@ def sentence(settings: LabSettings, robot: str, flight: Flight) -> str:
 def _target(settings: LabSettings) -> str:
     """Word for what is hit."""
     user = settings.user
+    if obstacle_of(settings) != "wall":
+        return settings.obstacle
     if user is not None and user.target is not None and settings.surface in ("file", "own"):
         return user.target.type
     if user is not None and settings.mode == "file":

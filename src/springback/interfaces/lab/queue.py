@@ -21,6 +21,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
 from springback.errors import InputError
+from springback.interfaces.lab.obstacles import is_on_slider, obstacle_of
 from springback.interfaces.lab.responses import answer
 from springback.interfaces.lab.scenarios import is_piloted, lab_scenario, robots_of
 from springback.interfaces.lab.settings import DEFAULTS, LabSettings, is_default
@@ -34,6 +35,8 @@ Request = LabSettings | Sweep
 #: Duration of a compilation as the page states it [s], without a pilot and with one (measured, on
 #: two to four processors that have other work too).
 ABOUT, ABOUT_PILOTED = 30, 90
+#: Surface of a kind that is any built-in shape: all are one structure to the compiler.
+SHAPE = "shape"
 _COUNTS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
            "eleven", "twelve")  # fmt: skip
 
@@ -51,7 +54,7 @@ class Kind(NamedTuple):
     @property
     def words(self) -> str:
         """Description on the page."""
-        where = "a mat" if self.surface == "mat" else "a wall"
+        where = {"mat": "a mat", SHAPE: "poles, windows and the like"}.get(self.surface, "a wall")
         what = f"impacts on {where}, {'on the slider' if self.guide == 'slider' else 'free'}"
         if self.mode == "flight":
             what = f"flights into {where}, recovery {self.pilot}"
@@ -74,12 +77,16 @@ def kind_of(request: Request) -> Kind:
     if way in ("pre-impact", "post-impact", "set-point"):
         way = "by a quintic"
     pilot = way if settings.mode == "flight" else "its own" if is_piloted(settings) else ""
-    surface = "mat" if settings.surface == "mat" else "wall"
-    guide = settings.guide if settings.mode == "impact" else ""
+    is_shape = obstacle_of(settings) != "wall"
+    surface = SHAPE if is_shape else "mat" if settings.surface == "mat" else "wall"
+    guide = ""
+    if settings.mode == "impact":
+        guide = "slider" if is_on_slider(settings) else "free"
     kind = Kind(settings.mode, guide, surface, pilot, round(settings.arm_count))
     if settings.user is None:
         return kind
-    return kind._replace(surface=settings.surface, robots=robots_of(settings))
+    surface = SHAPE if is_shape else settings.surface
+    return kind._replace(surface=surface, robots=robots_of(settings))
 
 
 def _settings_of(request: Request) -> LabSettings:
@@ -93,7 +100,9 @@ def example_of(request: Request) -> LabSettings:
         return settings
     words = {name: getattr(settings, name) for name in ("mode", "guide", "recovery")}
     surface = "mat" if settings.surface == "mat" else "wall"
-    return DEFAULTS.with_checked(**{"robot": "arq", "surface": surface, **words})
+    obstacle = "wall" if obstacle_of(settings) == "wall" else "pole"
+    what = {"robot": "arq", "surface": surface, "obstacle": obstacle}
+    return DEFAULTS.with_checked(**what, **words)
 
 
 def _is_checked_first(settings: LabSettings) -> bool:

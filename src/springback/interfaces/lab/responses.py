@@ -105,6 +105,9 @@ def _nearby(settings: LabSettings, things: tuple[Drawable, ...]) -> tuple[Drawab
         return things
     found = []
     for thing in things:
+        if not thing.normal:
+            found.append(thing)
+            continue
         halves = [np.array(half) for half in (thing.across, thing.along)]
         across, along = (half * min(1.0, PIECE / np.linalg.norm(half)) for half in halves)
         found.append(thing._replace(across=tuple(across.tolist()), along=tuple(along.tolist())))

@@ -5,6 +5,7 @@ The lab flies the same text that it offers for download, so `springback fly` giv
 
 from __future__ import annotations
 
+import functools
 import math
 import tomllib
 from typing import Any
@@ -14,6 +15,8 @@ import tomli_w
 
 from springback.contact.cage import ArmTip, Ring, support
 from springback.contact.parameters import Ground, Mat, Wall
+from springback.errors import InputError
+from springback.interfaces.lab.obstacles import is_on_slider, obstacle_of, shape_table
 from springback.interfaces.lab.settings import (
     VEHICLE_SETTINGS,
     LabSettings,
@@ -38,6 +41,10 @@ DURATION, UNANSWERED = 8.0, 5.0
 #: Height of all flights [m], as in the paper.
 HEIGHT = 1.0
 GRAVITY = 9.81
+#: Distance from which a shape is approached to find the first touch [m] (chosen: outside it).
+AHEAD = 1.5
+#: Most of these that are remembered: they do not depend on the speed (chosen).
+MOST_TOUCHES = 256
 
 Table = dict[str, Any]
 
@@ -158,13 +165,13 @@ def _impact(s: LabSettings, robot: str) -> Table:
     it hits the wall at the requested speed, and level.  A robot that equal thrusts would turn falls
     freely, with its rotors off.
     """
-    slides = s.guide == "slider"
+    slides = is_on_slider(s)
     table = vehicle_table_of(s, robot, slides)
     vehicle, pitch, yaw = vehicle_of(table), s.pitch, s.yaw
     given: Table = {
         "name": _name(s, robot),
         "vehicle": table,
-        "world": {"obstacles": [_obstacle(s, WALL_DISTANCE, slides)], **_gravity(s)},
+        "world": {"obstacles": [_obstacle(s, WALL_DISTANCE, slides, 0.0)], **_gravity(s)},
         **_physics(s, robot, slides),
     }
     gravity, hovers = given["world"].get("gravity", GRAVITY), is_balanced(vehicle)
@@ -173,6 +180,8 @@ def _impact(s: LabSettings, robot: str) -> Table:
     paper = given.get("model", {}).get("contact_point") == "paper"
     touch = np.array([WALL_DISTANCE - _reach(vehicle, pitch, yaw, paper), 0.0, HEIGHT])
     velocity = np.array([s.speed, 0.0, 0.0])
+    if obstacle_of(s) != "wall":
+        touch[0] = _touch(given, touch[0], s)
     start = touch - velocity * BEFORE + 0.5 * pull * BEFORE**2
     given["start"] = {
         "position": [float(x) for x in start],
@@ -238,14 +247,33 @@ def _reach(vehicle: Vehicle, pitch: float, yaw: float, paper: bool) -> float:
     return float(max(ends))
 
 
+def _touch(given: Table, ahead: float, s: LabSettings) -> float:
+    """X of the main body as it first touches a shape [m]; as at a wall if it touches nothing."""
+    start = {
+        "position": [ahead - AHEAD, 0.0, HEIGHT], "velocity": [1.0, 0.0, 0.0],
+        "pitch": f"{digits(s.pitch)} deg", "yaw": f"{digits(s.yaw)} deg", "touch_distance": 0.0,
+    }  # fmt: skip
+    found = _touch_of(tomli_w.dumps(given | {"name": "touch", "start": start}))
+    return ahead if found is None else found
+
+
+@functools.lru_cache(maxsize=MOST_TOUCHES)
+def _touch_of(text: str) -> float | None:
+    """X of the main body at the start of a scenario that begins at the touch [m]; None without."""
+    try:
+        return float(scenario_from(tomllib.loads(text)).start_state().position.x)
+    except InputError:  # it passes by, or through; what else is wrong is said when it is flown
+        return None
+
+
 # -- flight ---------------------------------------------------------------------------------------
 
 
 def _flight(s: LabSettings, robot: str) -> Table:
     """Run-up, collision and recovery; a yaw turns the wall, unknown to the pilot."""
     psi = math.radians(s.yaw)
-    wall = _obstacle(s, WALL_DISTANCE, slides=False)
-    if s.yaw != 0.0:
+    wall = _obstacle(s, WALL_DISTANCE, slides=False, turned=-s.yaw)
+    if s.yaw != 0.0 and obstacle_of(s) == "wall":
         del wall["distance"]
         wall["position"] = [WALL_DISTANCE, 0.0, 0.0]
         wall["normal"] = [-math.cos(psi), math.sin(psi), 0.0]
@@ -268,13 +296,20 @@ def _flight(s: LabSettings, robot: str) -> Table:
 
 def _name(s: LabSettings, robot: str) -> str:
     where = {"wall": "wall", "mat": "mat", "own": "own surface", "file": "wall of the file"}
-    slides = ", slider" if s.mode == "impact" and s.guide == "slider" else ""
+    if obstacle_of(s) != "wall":
+        where = {name: f"{s.obstacle}, {words}" for name, words in where.items()}
+    slides = ", slider" if is_on_slider(s) else ""
     what = f"{digits(s.speed)} m/s, {digits(s.pitch)} deg, {where[s.surface]}{slides}"
     return f"{robot_name(s, robot)}, {what}"
 
 
-def _obstacle(s: LabSettings, face: float, slides: bool) -> Table:
-    """Wall or mat whose face is at a distance [m]."""
+def _obstacle(s: LabSettings, face: float, slides: bool, turned: float) -> Table:
+    """Wall or mat whose face is at a distance [m]; a shape, which is turned by an angle [deg]."""
+    if obstacle_of(s) != "wall":
+        surface: Any = _surface(s, slides=False)
+        if s.surface == "file" and s.user is not None and s.user.surface is not None:
+            surface = s.user.surface.model_dump(exclude_none=True)
+        return shape_table(s, face, HEIGHT, surface, turned)
     more: Table = {"friction_axes": "vertical"} if slides else {}
     if s.surface in ("file", "own") and s.user is not None and s.user.target is not None:
         return _obstacle_of_file(s, face, s.user.target, slides)

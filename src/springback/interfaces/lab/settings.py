@@ -44,6 +44,7 @@ _WALL, _MAT = SURFACES["wall"], SURFACES["mat"]
 _IMPACT: When = {"mode": ("impact",)}
 _FLIGHT: When = {"mode": ("flight",)}
 _OWN: When = {"surface": ("own",)}
+_OURS: When = {"mode": ("impact", "flight")}
 _COMPLIANT: When = {"robot": ("both", "arq")}
 _TWINS: When = {"robot": ("both", "arq", "quad")}
 _TESTED = sorted({speed for _, speed in CONDITIONS})
@@ -89,16 +90,29 @@ Guides = Annotated[
         "Slider: the paper's test bench, along X, with the mass of its bar and without rotors. "
         "Nothing: free flight at hover thrust.",
         "Collision",
-        _IMPACT,
+        {**_IMPACT, "obstacle": ("wall",)},
     ),
 ]
+Obstacles = Annotated[
+    str,
+    ChoiceControl(
+        "Obstacle",
+        {
+            "wall": "Wall or mat", "pole": "Pole", "edge": "Edge", "sphere": "Sphere",
+            "window": "Window", "slope": "Slope",
+        },
+        "All but the wall are hit in free flight.",
+        "Obstacle",
+        _OURS,
+    ),
+]  # fmt: skip
 Surfaces = Annotated[
     str,
     ChoiceControl(
         "Surface",
         {"wall": "Wall", "mat": "Mat", "own": "Own"},
-        "Wall and mat are those of Table II; the mat is in front of the wall. Own: a wall with "
-        "your numbers.",
+        "Wall and mat are those of Table II; the mat is in front of the wall. Own: a surface with "
+        "your numbers. Other obstacles than the wall have the surface alone.",
         "Surface",
     ),
 ]
@@ -171,6 +185,12 @@ ARM_ANGLE = SliderControl(
 )  # fmt: skip
 
 
+def _of_shapes(*shapes: str, unit: str = "mm", **control: Any) -> SliderControl:
+    """Slider of a number that some obstacles have."""
+    when = {**_OURS, "obstacle": shapes}
+    return SliderControl(unit, group="Obstacle", when=when, **control)
+
+
 class LabSettings(Settings):
     """Settings of the impact lab, in the units of its page."""
 
@@ -195,6 +215,29 @@ class LabSettings(Settings):
         "is turned, and the robot hits it at an angle.",
     )] = 0.0  # fmt: skip
     recovery: Recoveries = "pre-impact"
+    obstacle: Obstacles = "wall"
+    radius: Annotated[float, _of_shapes(
+        "pole", "sphere", label="Radius", least=5.0, most=1000.0, step=1.0, logarithmic=True,
+        explains="Of the pole, or of the sphere.", path="world.obstacles.0.radius",
+    )] = 50.0  # fmt: skip
+    opening: Annotated[float, _of_shapes(
+        "window", label="Opening", least=100.0, most=1500.0, step=10.0,
+        explains="Width and height, in a frame of 250 mm. ARQ, arms at 45 deg, is 490 mm wide.",
+        path="world.obstacles.0.opening",
+    )] = 450.0  # fmt: skip
+    incline: Annotated[float, _of_shapes(
+        "slope", unit="deg", label="Angle of the slope", least=10.0, most=90.0, step=1.0,
+        explains="From the horizontal; 90 deg is a wall.", path="world.obstacles.0.angle",
+    )] = 45.0  # fmt: skip
+    turn: Annotated[float, _of_shapes(
+        "edge", "window", unit="deg", label="Turned by", least=-60.0, most=60.0, step=1.0,
+        explains="About the vertical. At 0 the edge points at the robot, the window faces it.",
+        path="world.obstacles.0.yaw",
+    )] = 0.0  # fmt: skip
+    offset: Annotated[float, _of_shapes(
+        "pole", "edge", "sphere", "window", label="Offset", least=-500.0, most=500.0, step=5.0,
+        explains="To the left of the robot's way.", path="world.obstacles.0.position",
+    )] = 0.0  # fmt: skip
     surface: Surfaces = "wall"
     contact_stiffness: Annotated[float, SliderControl(
         "kN/m^1.5", label="Contact stiffness k_c", least=20.0, most=1000.0, step=1.0,

@@ -1,14 +1,27 @@
-"""Drawable obstacles: rectangles for walls, mats and the ground, else meshes."""
+"""Drawable obstacles: rectangles for walls, mats, slopes and the ground, else meshes."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import hashlib
+from collections.abc import Iterable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.contact.forest import Forest
 from springback.contact.parameters import Ground, Mat, Wall
-from springback.contact.worlds import Own
+from springback.contact.scene.table import ENDLESS, Solid
+from springback.contact.shapes import ShapeSettings, Slope, SolidShape, Stairs
+from springback.contact.worlds import BuiltIn, Own
+from springback.interfaces.replay.shape_meshes import (
+    EndSpan,
+    ShapeMesh,
+    as_one,
+    mesh_of,
+    mesh_of_body,
+    sides_of,
+    trunks,
+)
 from springback.results.meshes import Mesh, surfaces_of
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -17,8 +30,15 @@ Cells = np.ndarray[Any, np.dtype[np.intp]]
 #: Margin of a drawn face around the flight near it, and its smallest and largest side [m]
 #: (chosen: a piece of wall, not all of it).
 ROOM, LEAST_SIDE, LARGEST_SIDE = 0.6, 1.6, 20.0
-#: A face counts as horizontal if the vertical component of its normal exceeds this.
-LYING = 0.9
+#: A face counts as horizontal if the vertical component of its normal exceeds this; a slope, this.
+LYING, LEVEL = 0.9, 1.0 - 1e-9
+#: A wall, or a pole, reaches down to the floor if its way up rises by more than this per metre.
+UPRIGHT, STEEP = 0.5, 0.2
+#: Without ground, distance of the foot of an endless pole below the flight [m], as of the shadows.
+FOOT = 0.45
+#: Most solids that are drawn, sides of each of so many trunks, and instants at which distances
+#: from the flight are compared (chosen: a page of 1 MB).
+MOST_DRAWN, TRUNK_SIDES, COMPARED = 400, 16, 64
 
 
 class Drawable(NamedTuple):
@@ -29,7 +49,7 @@ class Drawable(NamedTuple):
     as seen from outside.
     """
 
-    kind: str  # wall, mat, ground or mesh
+    kind: str  # wall, mat, slope, ground or mesh
     name: str  # for a legend
     centre: tuple[float, ...] = ()  # world [m]
     normal: tuple[float, ...] = ()  # unit vector, world
@@ -38,7 +58,8 @@ class Drawable(NamedTuple):
     thickness: float = 0.0  # [m]
     vertices: Array | None = None  # world [m], shape (vertices, 3)
     triangles: Cells | None = None  # shape (triangles, 3)
-    normals: Array | None = None  # at the vertices, shape (vertices, 3)
+    normals: Array | None = None  # at the vertices, shape (vertices, 3); else of exact faces
+    key: str = ""  # of a mesh: the same for the same obstacles of two flights
 
 
 class DrawnWorld(NamedTuple):
@@ -49,7 +70,7 @@ class DrawnWorld(NamedTuple):
 
 
 def drawables(
-    obstacles: Sequence[Wall | Ground | Mat],
+    obstacles: Sequence[BuiltIn],
     own: Sequence[Own],
     flown: Array,
     near: Array,
@@ -66,38 +87,52 @@ def drawables(
     """
     levels = [entry.height for entry in obstacles if isinstance(entry, Ground)]
     floor = max((z for z in levels if z <= flown[:, 2].min()), default=None)
-    things = [_face(entry, flown, floor) for entry in obstacles]
-    notes = []
-    for one in surfaces_of(own, near if len(near) else flown) if own else stored:
+    planes = [one for one in obstacles if isinstance(one, Wall | Ground | Mat | Slope)]
+    shapes = [one for one in obstacles if isinstance(one, ShapeSettings)]
+    chosen = _near(shapes, np.concatenate([_sample(flown), _sample(near)]))
+    bodies, notes = list(_meshes(chosen.parts, flown, floor)), list(chosen.notes)
+    around = _under(bodies, flown)
+    things = [
+        _face(entry, around if isinstance(entry, Ground) else flown, floor) for entry in planes
+    ] + bodies
+    own_meshes = surfaces_of(own, near if len(near) else flown) if own else stored
+    for k, one in enumerate(own_meshes):
         if len(one.triangles):
             things.append(Drawable("mesh", one.name, vertices=one.vertices,
-                                   triangles=one.triangles, normals=one.normals))  # fmt: skip
+                                   triangles=one.triangles, normals=one.normals,
+                                   key=str(k)))  # fmt: skip
         else:
             notes.append(f"{one.name} is not drawn: none of its surface was found near the flight")
     return DrawnWorld(tuple(things), tuple(notes))
 
 
-def _face(entry: Wall | Ground | Mat, flown: Array, floor: float | None) -> Drawable:
-    """Rectangle of a face around the flight near it; an upright one extends down to the floor."""
+def _face(entry: Wall | Ground | Mat | Slope, flown: Array, floor: float | None) -> Drawable:
+    """Rectangle of a face around the flight near it; a steep one extends down to the floor."""
+    thickness, close = 0.0, flown
     if isinstance(entry, Ground):
-        n, offset, thickness = np.array([0.0, 0.0, 1.0]), entry.height, 0.0
-        close = flown
+        n, offset = np.array([0.0, 0.0, 1.0]), entry.height
     else:
-        thickness = entry.thickness if isinstance(entry, Mat) else 0.0
-        face = entry.plane(thickness)
-        n, offset = np.array(face.normal), face.offset
+        if isinstance(entry, Slope):
+            [body] = entry.bodies()
+            n, offset = body.axes[2], float(body.axes[2] @ body.centre)
+        else:
+            thickness = entry.thickness if isinstance(entry, Mat) else 0.0
+            face = entry.plane(thickness)
+            n, offset = np.array(face.normal), face.offset
         heights = flown @ n
         close = flown[heights <= heights.min() + ROOM]
     centre, halves = n * offset, []
-    for axis in _axes(n):
+    for axis in _axes(n, LEVEL if isinstance(entry, Slope) else LYING):
         places = close @ axis
         low, high = float(places.min()) - ROOM, float(places.max()) + ROOM
         side = min(max(high - low, LEAST_SIDE), LARGEST_SIDE)
         middle = 0.5 * (low + high)
-        if floor is not None and axis[2] > 0.5:
+        if floor is not None and axis[2] > (0.0 if isinstance(entry, Slope) else UPRIGHT):
             foot = (floor - n[2] * offset) / axis[2]
-            side = min(max(side, middle + 0.5 * side - foot), LARGEST_SIDE)
-            middle = foot + 0.5 * side
+            down = middle + 0.5 * side - foot
+            if down <= LARGEST_SIDE:
+                side = max(side, down)
+                middle = foot + 0.5 * side
         centre = centre + middle * axis
         halves.append(_floats(0.5 * side * axis))
     across, along = halves
@@ -108,9 +143,128 @@ def _floats(v: Array) -> tuple[float, ...]:
     return tuple(map(float, v))
 
 
-def _axes(n: Array) -> tuple[Array, Array]:
+def _axes(n: Array, lying: float) -> tuple[Array, Array]:
     """Two unit vectors in a face: horizontal and upwards; in a horizontal face, near X and Y."""
-    up = np.array([0.0, 0.0, 1.0]) if abs(n[2]) < LYING else np.array([0.0, 1.0, 0.0])
+    up = np.array([0.0, 0.0, 1.0]) if abs(n[2]) < lying else np.array([0.0, 1.0, 0.0])
     across = np.cross(up, n)
     across /= np.linalg.norm(across)
     return across, np.cross(n, across)
+
+
+# -- shapes ---------------------------------------------------------------------------------------
+
+
+class _NearShapes(NamedTuple):
+    """Shapes near a flight with those of their solids that are drawn."""
+
+    parts: list[tuple[ShapeSettings, list[SolidShape]]]
+    notes: tuple[str, ...]
+
+
+def _sample(points: Array) -> Array:
+    """Some of many points, the first and last among them."""
+    if len(points) <= COMPARED:
+        return points
+    return points[np.linspace(0, len(points) - 1, COMPARED).astype(np.intp)]
+
+
+def _near(shapes: Sequence[ShapeSettings], flown: Array) -> _NearShapes:
+    """At most `MOST_DRAWN` solids, those nearest to a flight."""
+    parts = [(shape, shape.bodies()) for shape in shapes if not isinstance(shape, Slope)]
+    bodies = [body for _, found in parts for body in found]
+    if len(bodies) <= MOST_DRAWN:
+        return _NearShapes(parts, ())
+    away = _distances(bodies, flown)
+    limit = float(np.partition(away, MOST_DRAWN - 1)[MOST_DRAWN - 1])
+    chosen, first = [], 0
+    for shape, found in parts:
+        near = [one for one, d in zip(found, away[first:], strict=False) if d <= limit]
+        first += len(found)
+        chosen += [(shape, near)] if near else []
+    drawn = sum(len(near) for _, near in chosen)
+    note = f"of {len(bodies)} bodies of the obstacles the {drawn} nearest to the flight are drawn"
+    return _NearShapes(chosen, (note,))
+
+
+def _distances(bodies: Sequence[SolidShape], points: Array) -> Array:
+    """Distances of the boxes around bodies from the nearest of some points [m]."""
+    centres = np.array([body.centre for body in bodies])
+    axes = np.array([body.axes for body in bodies])
+    halves = np.array([Solid(*body, 0, 0.0, 0).half_lengths() for body in bodies])
+    nearest = np.full(len(bodies), np.inf)
+    for point in points:
+        local = np.einsum("kij,kj->ki", axes, point - centres)
+        outside = np.maximum(np.abs(local) - halves, 0.0)
+        nearest = np.minimum(nearest, np.linalg.norm(outside, axis=1))
+    return nearest
+
+
+def _meshes(
+    parts: Sequence[tuple[ShapeSettings, list[SolidShape]]], flown: Array, floor: float | None
+) -> Iterable[Drawable]:
+    """One mesh for all shapes of a type."""
+    kinds: dict[str, list[tuple[ShapeSettings, list[SolidShape]]]] = {}
+    for shape, bodies in parts:
+        kinds.setdefault(str(getattr(shape, "type", "")), []).append((shape, bodies))
+    for name, group in kinds.items():
+        mesh = as_one([_mesh(shape, bodies, flown, floor) for shape, bodies in group])
+        yield Drawable(
+            "mesh", name, vertices=mesh.vertices, triangles=mesh.triangles,
+            key=_key(shape for shape, _ in group),
+        )  # fmt: skip
+
+
+def _under(meshes: Sequence[Drawable], flown: Array) -> Array:
+    """A flight, and the feet of what is near it: what the ground is drawn under."""
+    found = [flown] + [one.vertices for one in meshes if one.vertices is not None]
+    low, high = flown.min(axis=0), flown.max(axis=0)
+    room = np.maximum(0.5 * (LARGEST_SIDE - (high - low)) - ROOM, 0.0)
+    return np.clip(np.concatenate(found), low - room, high + room)
+
+
+def _key(shapes: Iterable[ShapeSettings]) -> str:
+    """Digest of some shapes, without their surfaces."""
+    text = "\n".join(shape.model_dump_json(exclude={"surface"}) for shape in shapes)
+    return hashlib.sha256(text.encode()).hexdigest()[:16]
+
+
+def _mesh(
+    shape: ShapeSettings, bodies: Sequence[SolidShape], flown: Array, floor: float | None
+) -> ShapeMesh:
+    if isinstance(shape, Stairs):
+        return mesh_of(shape)
+    if isinstance(shape, Forest):
+        sides = MOST_DRAWN * TRUNK_SIDES // (4 * len(bodies)) * 4
+        span = _span(bodies[0], flown, floor, everywhere=True)
+        return trunks(bodies, span, min(sides, sides_of(shape.radius)))
+    return as_one([
+        mesh_of_body(body, _span(body, flown, floor) if ENDLESS in body.sizes else None)
+        for body in bodies
+    ])  # fmt: skip
+
+
+def _span(
+    body: SolidShape, flown: Array, floor: float | None, *, everywhere: bool = False
+) -> EndSpan:
+    """Where a pole without end is cut: around the flight near it, or everywhere, and at the floor.
+
+    Args:
+        body: The pole.
+        flown: Positions of the vehicle, world [m].
+        floor: Height of the ground [m]; None without any.
+        everywhere: True for the whole flight.
+    """
+    axis, relative = body.axes[2], flown - body.centre
+    places = relative @ axis
+    aside = np.linalg.norm(relative - np.outer(places, axis), axis=1)
+    close = places if everywhere else places[aside <= aside.min() + ROOM]
+    low, high = float(close.min()) - ROOM, float(close.max()) + ROOM
+    short = max(LEAST_SIDE - (high - low), 0.0)
+    low, high = low - 0.5 * short, high + 0.5 * short
+    if abs(axis[2]) > STEEP:
+        level = float(flown[:, 2].min()) - FOOT if floor is None else floor
+        foot = float((level - body.centre[2]) / axis[2])
+        low, high = (foot, max(high, foot)) if axis[2] > 0.0 else (min(low, foot), foot)
+    if axis[2] >= 0.0:
+        return EndSpan(max(low, high - LARGEST_SIDE), high)
+    return EndSpan(low, min(high, low + LARGEST_SIDE))

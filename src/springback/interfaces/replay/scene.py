@@ -22,7 +22,6 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.contact.shapes import ShapeSettings
 from springback.contact.worlds import Own
 from springback.dynamics.motion import Slider
 from springback.errors import InputError
@@ -143,8 +142,7 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
     touches = loads.point[np.isfinite(loads.point).all(axis=2)]
     place = np.stack([c[axis][places] for axis in "xyz"], axis=1)
     known = [e for e in flight.scenario.world.obstacles if not isinstance(e, UserShape)]
-    walls = [e for e in known if not isinstance(e, ShapeSettings)]
-    things = drawables(walls, own, place, touches, flight.own_surfaces)
+    things = drawables(known, own, place, touches, flight.own_surfaces)
     thrust = _thrust(flight, model, c["t"][places])
     robot = flight.scenario.vehicle.name
     propulsion = flight.scenario.vehicle.propulsion
