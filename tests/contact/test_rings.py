@@ -12,8 +12,17 @@ import pytest
 from numpy.polynomial import polynomial
 from scipy.optimize import minimize_scalar
 
+from builders.bodies import body
+from builders.scenes import surface
 from builders.user_obstacles import Ball, Box, Pole
-from springback.contact.cage import ArmTip, Ring, nearest_face
+from springback.contact.cage import (
+    ArmTip,
+    ContactFace,
+    Ring,
+    face_contact,
+    face_of,
+    nearest_face,
+)
 from springback.contact.obstacles import (
     InBodyFrame,
     Obstacle,
@@ -27,7 +36,15 @@ from springback.contact.parameters import SurfaceSettings
 from springback.contact.rings import ARCS, FAR, STEPS, TRIES, lowest_on_ring
 from springback.contact.worlds import obstacles
 from springback.kernels.compiler import kernel
-from springback.kernels.vectors import Mat3, Quat, Vec, rotation
+from springback.kernels.vectors import (
+    Mat3,
+    Quat,
+    Vec,
+    exponential_map,
+    quaternion_of,
+    quaternion_product,
+    rotation,
+)
 from springback.results.flight import fly
 from springback.vehicle.state import ArmPose
 
@@ -441,3 +458,39 @@ def test_the_gap_of_a_second_contact_has_the_rate_that_its_force_works_at() -> N
         inside += 1
         assert (ahead - behind) / (2.0 * tiny) == pytest.approx(rate, abs=2e-5)
     assert inside > 30
+
+
+def test_the_power_of_a_contact_is_that_of_its_spring() -> None:
+    """Beneath edges, and with a saddle: no friction, no damping, so no energy is made or lost."""
+    chance, edges, saddles, tiny = np.random.default_rng(13), 0, 0, 1e-7
+    rubber = surface(stiffness=1e5)
+    pose = ArmPose(Vec(1.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0))
+
+    def face(shape: Any, centre: Vec, r: Mat3) -> ContactFace:
+        there = obstacle_in_body_frame(Obstacle(shape, rubber, 0.0), centre, r)
+        return face_of(there, EXACT, RADIUS, pose)
+
+    for k in range(4000):
+        shape = (BOX, SecondContact(BOX))[k % 2]
+        r, centre = turn(chance), Vec(*map(float, chance.uniform(-0.26, 0.26, size=3)))
+        met = face(shape, centre, r)
+        if not -0.05 < met.nearest.gap < -1e-4:
+            continue
+        v, omega = (Vec(*map(float, chance.normal(size=3))) for _ in range(2))
+        moving = ArmPose(pose.direction, pose.lever, v)
+        contact = face_contact(met, 1.0, moving, body(r, v, omega))
+        gaps = []
+        for sign in (1.0, -1.0):
+            spin = quaternion_product(quaternion_of(r), exponential_map(omega * (sign * tiny)))
+            gaps.append(face(shape, centre + r @ v * (sign * tiny), rotation(spin)).nearest.gap)
+        if abs(gaps[0] - 2.0 * met.nearest.gap + gaps[1]) > 1e-10:  # another point takes over
+            continue
+        assert (gaps[0] - gaps[1]) / (2.0 * tiny) == pytest.approx(contact.rate, abs=5e-5)
+        depth = -met.nearest.gap
+        spring = 1e5 * depth**1.5
+        power = contact.touch.force @ v + contact.touch.moment @ omega
+        assert power == pytest.approx(spring * contact.rate, rel=1e-9, abs=1e-9)
+        edges += met.nearest.steepness < 0.99
+        saddles += met.nearest.saddle_inward @ met.nearest.saddle_inward > 0.0
+    assert edges > 30
+    assert saddles > 30

@@ -9,6 +9,8 @@ from springback.control.rate import turn
 from springback.kernels.vectors import ZERO, Vec, norm
 from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
+from springback.sensing.sensors import noise_count
+from springback.simulation.onboard import Truth, sensor_step
 from springback.simulation.ticks import pilot_output
 
 
@@ -17,11 +19,10 @@ def test_unmet_is_what_was_asked_less_what_is_given(roll_rate: float, is_too_muc
     scenario = scenario_from({"vehicle": "quad", "reference": {"type": "hold"}})
     model, start = scenario.flight_model(), scenario.start_state()
     avionics = build_avionics(scenario, model, start).avionics
-    pilot, memory, seen = (
-        avionics.systems.pilot,
-        avionics.onboard.pilot,
-        avionics.onboard.measurement,
-    )
+    systems, memory = avionics.systems, avionics.onboard.pilot
+    pilot, truth = systems.pilot, Truth(start, start, systems.period, model.world.gravity)
+    silent = (0.0,) * noise_count(4)
+    seen = sensor_step(systems.sensors, 0.0, truth, silent, avionics.onboard.sensors).measurement
     setpoint = Vec(roll_rate, 0.0, 0.0)
     before = memory.autopilot._replace(setpoint=setpoint)
     after = pilot_output(

@@ -37,6 +37,7 @@ QUICK = ("dynamics", "accelerations or locked_arms or textbook or power or gap o
 #: peaks.
 HULL = ("contact/test_hull.py dynamics/test_clearance.py dynamics/test_rigid.py", "not abreast")
 RINGS = ("contact/test_rings.py contact/test_cages.py", "not flight")
+SCENE = ("contact/test_solids.py contact/test_scene.py", "")
 GRIP = ("contact/test_step_bounds.py contact/test_hull.py", "bound or truth or rate")
 RULES = ("simulation/test_observed.py", "")
 PEAK = ("simulation/test_peaks.py simulation/test_observed.py", "")
@@ -77,6 +78,11 @@ HULL_CONTACT, HULL_STATE, TOUCHES = (
 RECORD, IMPULSES, GRIPS = "simulation/record.py", "dynamics/impulse.py", "contact/step_bounds.py"
 CLEARANCE, CROSSING = "dynamics/clearance.py", "dynamics/crossing.py"
 PEAKS, RING = "simulation/peaks.py", "contact/rings.py"
+SOLIDS, NEAREST, FACES = (
+    "contact/scene/solids.py",
+    "contact/scene/nearest.py",
+    "contact/scene/faces.py",
+)
 
 MUTATIONS = (
     # contact
@@ -84,7 +90,7 @@ MUTATIONS = (
     Mutation("contact loss, sign", SURFACES, "(force - elastic) * rate", "(elastic - force) * rate"),
     Mutation("contact force may pull", SURFACES, "positive_part(elastic + (d", "(elastic + (d"),
     Mutation("contact exponent 3/2 to 2", SURFACES, "depth * math.sqrt(depth)", "depth * depth"),
-    Mutation("normal force pulls in", CAGE, "n * (-pressed.force)", "n * pressed.force"),
+    Mutation("normal force pulls in", CAGE, "n * (-f_n)", "n * f_n"),
     Mutation("normal points out", CAGE, "n = -outward_normal(", "n = outward_normal("),
     Mutation("plane seen, offset", OBSTACLES, "plane.offset - plane.normal", "plane.offset + plane.normal"),
     Mutation("plane seen, turned the wrong way", OBSTACLES, "Plane(plane.normal @ r,", "Plane(r @ plane.normal,"),
@@ -163,11 +169,11 @@ MUTATIONS = (
     Mutation("hull, rubs at its centre", HULL_CONTACT, "Support(lever, lever, lever, 0.0)", "Support(lever, lever, lever * 0.0, 0.0)", HULL),
     Mutation("hull, normal out", HULL_CONTACT, "inward = -outward", "inward = outward", HULL),
     Mutation("hull, about the main body", HULL_CONTACT, "Vec(0.0, 0.0, 0.0), hull.centre, velocity", "Vec(0.0, 0.0, 0.0), hull.centre * 0.0, velocity", HULL),
-    Mutation("hull, touches a shape twice", HULL_CONTACT, "NearestFace(FAR, inward", "NearestFace(gap, inward", HULL),
+    Mutation("hull, touches a shape twice", HULL_CONTACT, "simple_face(FAR, inward", "simple_face(gap, inward", HULL),
     Mutation("hull, its force left out", MOTION, "fold(_together, a.contact, field_of(hull, \"contact\"), ())", "a.contact", HULL),
     Mutation("hull, its energy left out", ENERGY, "fold(_hull_energy, a.contact, airframe.hull, (obstacles,))", "a.contact", HULL),
-    Mutation("hull, its energy, sign", ENERGY, "so_far + tree_sum(tree_map(_hull_contact", "so_far - tree_sum(tree_map(_hull_contact", HULL),
-    Mutation("hull, not in the clearance", CLEARANCE, "cages + tree_map(_of_hull, (airframe.hull,), (obstacles,))", "cages", HULL),
+    Mutation("hull, its energy, sign", ENERGY, "so_far + tree_sum(", "so_far - tree_sum(", HULL),
+    Mutation("hull, not in the clearance", CLEARANCE, "cages + tree_map(hull_gap, (airframe.hull,), (obstacles,))", "cages", HULL),
     Mutation("hull, friction unbounded", HULL_STATE, "return rate + hull.damper", "return rate + 0.0 * hull.damper", GRIP),
     Mutation("hull, friction bound without turning", HULL_STATE, "hull.farthest * inverse.largest", "0.0 * hull.farthest", GRIP),
     Mutation("hull, no slip rate", MOTION, "cage_slips + hull_slips", "cage_slips", GRIP),
@@ -232,7 +238,26 @@ MUTATIONS = (
     # rings against shapes
     Mutation("ring, slope of the other sign", RING, "n.y * towards.x - n.x * towards.y", "n.x * towards.y - n.y * towards.x", RINGS),
     Mutation("ring, search away from the minimum", RING, "if slope < 0.0:", "if slope > 0.0:", RINGS),
-    Mutation("ring, second point is the first", CAGE, "_at_low(shape, radius, arm.lever, found.second)", "_at_low(shape, radius, arm.lever, found.first)", RINGS),
+    Mutation("ring, second point is the first", CAGE, "at_second_point(radius, found)", "at_low_point(radius, found.first)", RINGS),
+    Mutation("ring, edge counts in full", CAGE, "rate = steepness * (", "rate = 1.0 * (", RINGS),
+    Mutation("ring, force of an edge in full", CAGE, "f_n = pressed.force * steepness", "f_n = pressed.force", RINGS),
+    Mutation("ring, saddle's rate, sign", CAGE, "rate -= (arm.sliding", "rate += (arm.sliding", RINGS),
+    Mutation("ring, saddle without reaction", CAGE, "back = at_saddle * pressed.force", "back = at_saddle * 0.0", RINGS),
+    Mutation("ring, second as deep as it is", CAGE, "face.gap - saddle.gap", "face.gap", RINGS),
+    Mutation("ring, the higher way", RING, "one if one.gap < other.gap else other", "other if one.gap < other.gap else one", RINGS),
+    Mutation("ring, normals of an edge changed over", RING, "before * n_low + after * n_high", "after * n_low + before * n_high", RINGS),
+    # solids
+    Mutation("box, face outside", SOLIDS, "sx * out.x * inverse", "-sx * out.x * inverse", SCENE),
+    Mutation("frustum, leans the other way", SOLIDS, "nx, nz = dz * inverse, -dx * inverse", "nx, nz = dz * inverse, dx * inverse", SCENE),
+    Mutation("window, filled", SOLIDS, "outline if outline.gap > -opening.gap", "outline if outline.gap > -1e9", SCENE),
+    Mutation("edges not rounded", SOLIDS, "found.gap - s.rounding", "found.gap", SCENE),
+    Mutation("axes of a solid, transposed", SOLIDS, "ex * n.x + ey * n.y + ez * n.z", "Vec(ex @ n, ey @ n, ez @ n)", SCENE),
+    Mutation("tree, far half left out", NEAREST, "elif previous != far and", "elif previous == far and", SCENE),
+    Mutation("tree, boxes too near", NEAREST, "square < gap * gap", "square < 0.5 * gap * gap", SCENE),
+    Mutation("scene, ring sees half", FACES, "nearest.gap + 2.0 * part.radius", "nearest.gap", SCENE),
+    Mutation("scene, inner corner is one face", FACES, "if low.second.gap < FAR:", "if low.second.gap < -FAR:", SCENE),
+    Mutation("scene, flush solids touch twice", FACES, "apart @ apart > APART * APART", "apart @ apart >= 0.0", SCENE),
+    Mutation("scene, clearance overstated", FACES, "bound = nearest.gap - part.radius", "bound = nearest.gap + part.radius", SCENE),
     # impulses
     Mutation("impulse, pulls", IMPULSES, "impulse = n * part[k] + rub[k]", "impulse = -n * part[k] + rub[k]", IMPULSE),
     Mutation("impulse, friction drives", IMPULSES, "t * -(stopping if", "t * (stopping if", IMPULSE),

@@ -152,7 +152,7 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
         "world.obstacles[0].surface.dissipation", ("with restitution",),
     ),
     "surface of wrong type": (WALL, "surface = 3", "world.obstacles[0].surface", ("table", "3")),
-    "unknown obstacle": (KIND, 'type = "pole"', "world.obstacles[0].type", ("wall", "ground", "pole")),
+    "unknown obstacle": (KIND, 'type = "pillar"', "world.obstacles[0].type", ("wall", "ground", "pillar")),
     "wall across nothing": (
         DISTANCE, "position = [3, 0, 0]\nnormal = [0, 0, 0]", "world.obstacles[0].normal", ("zero",),
     ),
@@ -243,7 +243,7 @@ OVERRIDES = {
         "did you mean wall?",
     ),
     "world.obstacles[0].surface.frction=1": ("world.obstacles[0].surface.frction", "friction"),
-    "world.obstacles[0].type=pole": ("world.obstacles[0].type", "wall"),
+    "world.obstacles[0].type=pillar": ("world.obstacles[0].type", "wall"),
     "world.obstacles=3": ("world.obstacles", "list"),
     "start=3": ("start", "table"),
     "start.position[0]=2.6": ("start.position", "inside world.obstacles[0]"),

@@ -7,15 +7,14 @@ import pytest
 import scipy.stats
 
 from builders.cases import nonempty
+from springback.random_streams import Purpose, stream
 from springback.simulation.noise import (
     Block,
     NoiseSource,
-    Purpose,
     generate,
     noise_table,
     philox,
     plan_of,
-    stream,
     workspace,
 )
 from springback.simulation.onboard import Draw

@@ -78,7 +78,7 @@ TINY = 1e-12
 def power(exponent: Exponent, depth: float) -> float:
     """Power δⁿ for δ ≥ 0."""
     if exponent.value == 1.5:  # in a world of several exponents, too
-        return depth * math.sqrt(depth)
+        return power(ThreeHalves(1.5), depth)
     raised: float = depth**exponent.value
     return raised
 
