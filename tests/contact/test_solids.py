@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from pydantic_core import PydanticCustomError
 
 from builders.cases import nonempty
 from builders.shapes import SHAPES
@@ -26,9 +27,11 @@ from springback.contact.shapes import (
     Hoop,
     Pole,
     ShapeSettings,
+    Slope,
     Stairs,
     solids_of,
 )
+from springback.errors import InputError
 from springback.kernels.routines import NumberTable, number_at
 from springback.kernels.vectors import Vec
 
@@ -278,3 +281,30 @@ def test_the_table_holds_every_solid() -> None:
         number_at(table, HEADER + WIDTH * k + OWNER) for k in range(int(number_at(table, 0)))
     ]
     assert sorted(owners) == sorted(float(solid.owner) for solid in solids)
+
+
+@pytest.mark.parametrize(
+    ("shape", "changes", "words"),
+    [
+        (Box, {"size": (0.0, 1.0, 1.0)}, "more than 0 m"),
+        (Box, {"edge_radius": 0.2}, "at most 0.1 m, half of the thinnest part"),
+        (Pole, {"axis": (0.0, 0.0, 0.0)}, "must not be zero"),
+        (Pole, {"radius": float("nan")}, "finite"),
+        (Hoop, {"tube_radius": 0.3}, "less than radius, 0.3 m"),
+        (Window, {"opening_radius": 0.2}, "either opening, width and height, or opening_radius"),
+        (Window, {"opening": (1.2, 0.3)}, "must lie within the wall"),
+        (Window, {"opening": (0.99, 0.3)}, "at most 0.0025 m, half of the thinnest part"),
+        (Doorway, {"opening": (0.3, 0.9)}, "must be smaller than the wall"),
+        (Slope, {"angle": 2.0}, "at most 1.5708 rad"),
+        (Stairs, {"steps": 0}, "greater than or equal to 1"),
+        (Cone, {"edge_radius": 0.19}, "too large for this cone"),
+    ],
+)
+def test_shapes_that_cannot_be_are_refused(
+    shape: type[ShapeSettings], changes: dict[str, Any], words: str
+) -> None:
+    """In one line, with the value and what is allowed."""
+    good = next(one for one in SHAPES.values() if type(one) is shape)
+    given = {name: getattr(good, name) for name in good.model_fields_set}
+    with pytest.raises((InputError, PydanticCustomError), match=words):
+        shape(**{**given, **changes}).bodies()

@@ -33,10 +33,14 @@ class WallOpening(AttitudeShape):
         x, y, z = self.axes()
         return np.array([y, z, x])
 
-    def _halves(self) -> tuple[float, float, float]:
-        """Half width, height and thickness before the edges are rounded."""
+    def _halves(self, frame: float) -> tuple[float, float, float]:
+        """Half width, height and thickness before the edges are rounded.
+
+        Args:
+            frame: Width of the wall beside the opening, where it is narrowest [m].
+        """
         edge = self.edge_radius
-        self.check_edge(edge, min(*self.size, self.thickness))
+        self.check_edge(edge, min(frame, self.thickness))
         width, height = self.size
         return 0.5 * width - edge, 0.5 * height - edge, 0.5 * self.thickness - edge
 
@@ -78,13 +82,16 @@ class Window(WallOpening):
 
     def bodies(self) -> list[SolidShape]:
         """Its solids."""
-        halves, edge = self._halves(), self.edge_radius
+        (width, height), edge = self.size, self.edge_radius
         centre, axes = np.array(self.position), self._panel_axes()
         if self.opening is not None:
             w, h = self.opening
+            above = 0.5 * (height - h) - abs(self.opening_height)
+            halves = self._halves(min(0.5 * (width - w), above))
             hole = (0.5 * w + edge, 0.5 * h + edge, self.opening_height)
             return [SolidShape(WINDOW, centre, axes, (*halves, *hole), edge)]
-        radius = (self.opening_radius or 0.0) + edge
+        radius = self.opening_radius or 0.0
+        halves, radius = self._halves(0.5 * min(width, height) - radius), radius + edge
         return [SolidShape(ROUND_WINDOW, centre, axes, (*halves, radius), edge)]
 
 
@@ -110,8 +117,8 @@ class Doorway(WallOpening):
 
     def bodies(self) -> list[SolidShape]:
         """Its solids."""
-        halves, edge = self._halves(), self.edge_radius
-        axes, (w, h), height = self._panel_axes(), self.opening, self.size[1]
+        axes, (w, h), (width, height) = self._panel_axes(), self.opening, self.size
+        halves, edge = self._halves(min(0.5 * (width - w), height - h)), self.edge_radius
         centre = np.array(self.position) + 0.5 * height * axes[1]
         # The opening goes on below the floor.
         hole = (0.5 * w + edge, h + edge, -0.5 * height)
