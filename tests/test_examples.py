@@ -13,6 +13,7 @@ import re
 import runpy
 import shlex
 import shutil
+import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -24,7 +25,7 @@ import springback
 from builders.campaign_folders import filled
 from builders.plans import PITCH, SPEED, SURFACE, WALL
 from builders.typed_lines import Typed, typed
-from springback.campaign.design.plan import read_plan
+from springback.campaign.design.plan import Plan, read_plan
 from springback.campaign.running import run_campaign
 from springback.interfaces.cli.app import cli
 
@@ -173,6 +174,11 @@ class Reader:
         if more or "[[vary]]" in this.text:
             plan.write_text(f"{this.text}\n{plan.read_text()}" if more else this.text)
             read_plan(plan)
+            return
+        if re.search(
+            r"^pilots =", this.text, re.M
+        ):  # of the reader's own; they are not on the page
+            assert tomllib.loads(this.text).keys() <= Plan.model_fields.keys()
             return
         whole = re.search(r"^vehicle =|^\[vehicle\]", this.text, re.M)
         path = self.folder / (this.saved_as or "scenario.toml")
