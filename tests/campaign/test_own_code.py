@@ -310,7 +310,7 @@ def test_pilots_of_a_plan_are_compared_pair_by_pair(folder: Path) -> None:
         assert first["detection_delay"] < second["detection_delay"]
     assert len({row["seed"] for row in rows}) == 12
     [pair] = summary(campaign).pairs
-    assert (pair.robots, pair.pairs) == (tuple(names), 12)
+    assert (pair.names, pair.pairs) == (tuple(names), 12)
     count, median = pair.medians["detection_delay"]
     assert count == 12
     assert median.value is not None
