@@ -151,15 +151,8 @@ class Unit:
         return si_number(value, self.unit, above=self.above, least=self.least, most=self.most)
 
     def triple(self, value: Any) -> tuple[float, ...]:
-        """Three numbers in SI.
-
-        Raises:
-            The problem, with the given value, its unit and the allowed range.
-        """
-        if not isinstance(value, list | tuple) or len(value) != 3:
-            numbers = f"three numbers in {self.unit or 'no unit'}"
-            raise problem(f"must be {numbers} (got {shown_value(value)})")
-        return tuple(map(self.read, value))
+        """Three numbers in SI; see `pair`."""
+        return self._several(value, 3, "three")
 
     def pair(self, value: Any) -> tuple[float, ...]:
         """Two numbers in SI.
@@ -167,8 +160,11 @@ class Unit:
         Raises:
             The problem, with the given value, its unit and the allowed range.
         """
-        if not isinstance(value, list | tuple) or len(value) != 2:
-            numbers = f"two numbers in {self.unit or 'no unit'}"
+        return self._several(value, 2, "two")
+
+    def _several(self, value: Any, count: int, word: str) -> tuple[float, ...]:
+        if not isinstance(value, list | tuple) or len(value) != count:
+            numbers = f"{word} numbers in {self.unit or 'no unit'}"
             raise problem(f"must be {numbers} (got {shown_value(value)})")
         return tuple(map(self.read, value))
 
