@@ -29,7 +29,7 @@ from springback.contact.surfaces import Surface, friction_force, normal_force, r
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import minimum, tree_map
 from springback.kernels.vectors import Mat3, Vec, larger, norm, rotation
-from springback.vehicle.state import ArmPose, State
+from springback.vehicle.state import ArmPose, Sphere, State
 
 #: A gap closer to zero than this counts as zero [m].
 LANDED = 1e-9
@@ -259,6 +259,22 @@ def _tip_faces(model: ArmTip, shape: Any, radius: float, arm: ArmPose) -> Neares
     """The single contact point of the paper."""
     there = face_along_normal(shape, model, radius, arm)
     return NearestFaces(there, simple_face(FAR, there.inward, there.at))
+
+
+@support.register(Sphere)
+@kernel
+def _sphere(hull: Sphere, inward: Vec, arm_direction: Vec, radius: float) -> Support:
+    lever = radius * inward
+    return Support(lever, lever, lever, 0.0)
+
+
+@nearest_faces.register(Sphere)
+@kernel
+def _sphere_faces(model: Sphere, shape: Any, radius: float, arm: ArmPose) -> NearestFaces:
+    """The single point at which a sphere touches a shape."""
+    inward = -outward_normal(shape, arm.lever)
+    gap, at = signed_distance(shape, arm.lever) - radius, support(model, inward, inward, radius)
+    return NearestFaces(simple_face(gap, inward, at), simple_face(FAR, inward, at))
 
 
 @kernel

@@ -13,36 +13,13 @@ from springback.contact.cage import (
     BodyMotion,
     CageContact,
     ContactFace,
-    NearestFaces,
-    Support,
     contact_faces,
     face_contact,
     lowest_gap,
-    nearest_faces,
-    simple_face,
-    support,
 )
-from springback.contact.obstacles import outward_normal, signed_distance
-from springback.contact.rings import FAR
 from springback.kernels.compiler import kernel
 from springback.kernels.vectors import Vec
 from springback.vehicle.state import ArmPose, Sphere
-
-
-@support.register(Sphere)
-@kernel
-def _sphere(hull: Sphere, inward: Vec, arm_direction: Vec, radius: float) -> Support:
-    lever = radius * inward
-    return Support(lever, lever, lever, 0.0)
-
-
-@nearest_faces.register(Sphere)
-@kernel
-def _sphere_faces(model: Sphere, shape: Any, radius: float, arm: ArmPose) -> NearestFaces:
-    """The single point at which a sphere touches a shape."""
-    inward = -outward_normal(shape, arm.lever)
-    gap, at = signed_distance(shape, arm.lever) - radius, support(model, inward, inward, radius)
-    return NearestFaces(simple_face(gap, inward, at), simple_face(FAR, inward, at))
 
 
 @kernel
