@@ -166,7 +166,7 @@ MUTATIONS = (
     Mutation("hull, gap without its radius", CAGE, "signed_distance(shape, arm.lever) - radius", "signed_distance(shape, arm.lever)", HULL),
     Mutation("hull, gap with its radius added", CAGE, "arm.lever) - radius", "arm.lever) + radius", HULL),
     Mutation("hull, touches on the far side", CAGE, "lever = radius * inward", "lever = -radius * inward", HULL),
-    Mutation("hull, rubs at its centre", CAGE, "Support(lever, lever, lever, 0.0)", "Support(lever, lever, lever * 0.0, 0.0)", HULL),
+    Mutation("hull, rubs at its centre", CAGE, "    return Support(lever, lever, lever, 0.0)", "    return Support(lever, lever, lever * 0.0, 0.0)", HULL),
     Mutation("hull, normal out", CAGE, "inward = -outward", "inward = outward", HULL),
     Mutation("hull, about the main body", HULL_CONTACT, "Vec(0.0, 0.0, 0.0), hull.centre, velocity", "Vec(0.0, 0.0, 0.0), hull.centre * 0.0, velocity", HULL),
     Mutation("hull, touches a shape twice", CAGE, "simple_face(FAR, inward", "simple_face(gap, inward", HULL),
