@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from abc import abstractmethod
 from collections.abc import Sequence
 from typing import Annotated, Any, Literal, NamedTuple
 
@@ -52,9 +53,9 @@ class ShapeSettings(Settings):
 
     surface: SurfaceSettings
 
+    @abstractmethod
     def bodies(self) -> list[SolidShape]:
         """Its solids."""
-        raise NotImplementedError
 
     def check_edge(self, edge: float, thinnest: float) -> None:
         """Reject edges rounded by more than half of what they round."""
