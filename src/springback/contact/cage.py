@@ -27,9 +27,9 @@ from springback.contact.step_bounds import (
 )
 from springback.contact.surfaces import Surface, friction_force, normal_force, rubbing
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.trees import minimum, tree_map
+from springback.kernels.trees import fold, minimum, tree_map
 from springback.kernels.vectors import Mat3, Vec, larger, norm, rotation
-from springback.vehicle.state import ArmPose, Sphere, State
+from springback.vehicle.state import ArmPose, BodyState, Sphere, State
 
 #: A gap closer to zero than this counts as zero [m].
 LANDED = 1e-9
@@ -140,6 +140,14 @@ def body_motion(state: State, ahead: float) -> BodyMotion:
     )
 
 
+class FaceMotion(NamedTuple):
+    """Motion of an obstacle, as a rigid body; vectors in body axes of the vehicle."""
+
+    velocity: Vec  # of its point at the main body, were it as large [m/s]
+    spin: Vec  # angular velocity [rad/s]
+    body: float  # number of the moving obstacle, from 0; −1 for one at rest
+
+
 class CageContact(NamedTuple):
     """One cage against one obstacle: geometry and forces."""
 
@@ -152,6 +160,7 @@ class CageContact(NamedTuple):
     per_speed: float  # of friction, 1/√(v² + v_s²); 0 without friction [s/m]
     surface: Surface
     touch: ContactLoad
+    moving: tuple[FaceMotion, ...]  # as of its `ContactFace`
 
 
 @kernel
@@ -301,13 +310,14 @@ class ContactFace(NamedTuple):
     nearest: NearestFace
     surface: Surface
     is_ground: float  # 1 if touching it counts as hitting the ground
+    moving: tuple[FaceMotion, ...] = ()  # its motion; empty where no obstacle moves
 
 
 @kernel
 def face_of(obstacle: Obstacle, contact_point: Any, radius: float, arm: ArmPose) -> ContactFace:
     """The face of an obstacle that a cage meets; arguments as for `contact_faces`."""
     nearest = nearest_face(obstacle.shape, contact_point, radius, arm)
-    return ContactFace(nearest, obstacle.surface, obstacle.is_ground)
+    return ContactFace(nearest, obstacle.surface, obstacle.is_ground, ())
 
 
 @generic
@@ -334,6 +344,18 @@ def lowest_gap(obstacles: Any, contact_point: Any, radius: float, arm: ArmPose) 
     Arguments are as for `contact_faces`.
     """
     return minimum(tree_map(cage_gap, (obstacles,), (contact_point, radius, arm)))
+
+
+@generic
+def obstacles_now(obstacles: Any, bodies: tuple[BodyState, ...]) -> Any:
+    """All obstacles at an instant: those that move are where the states of their bodies say."""
+    return obstacles
+
+
+@generic
+def moving_bodies(obstacles: Any) -> tuple[Any, ...]:
+    """The obstacles that move, of a world or of one in the body frame; mostly none."""
+    return ()
 
 
 @generic
@@ -374,6 +396,16 @@ def cage_contact(
 
 
 @kernel
+def _beside(velocity: Vec, moving: FaceMotion) -> Vec:
+    return velocity - moving.velocity
+
+
+@kernel
+def _turning_beside(omega: Vec, moving: FaceMotion) -> Vec:
+    return omega - moving.spin
+
+
+@kernel
 def face_contact(face: ContactFace, engaged: float, arm: ArmPose, body: BodyMotion) -> CageContact:
     """Contact of a cage with a face that it meets, without forces if the cage is not engaged.
 
@@ -387,17 +419,20 @@ def face_contact(face: ContactFace, engaged: float, arm: ArmPose, body: BodyMoti
         arm: Pose of the arm.
         body: Motion of the main body.
     """
-    surface, end, omega = face.surface, arm.lever, body.omega
+    surface, end = face.surface, arm.lever
+    # Motion relative to the obstacle.
+    sliding = fold(_beside, arm.sliding, face.moving, ())
+    omega = fold(_turning_beside, body.omega, face.moving, ())
     gap, n, at, steepness, at_saddle, saddle_lever = face.nearest
     pressing, rubbing_at = end + at.normal_lever, end + at.friction_lever
-    rate = steepness * ((arm.sliding + (omega ^ pressing)) @ n)  # δ̇, positive in compression
+    rate = steepness * ((sliding + (omega ^ pressing)) @ n)  # δ̇, positive in compression
     saddle = end + saddle_lever
-    rate -= (arm.sliding + (omega ^ saddle)) @ at_saddle
+    rate -= (sliding + (omega ^ saddle)) @ at_saddle
     # A step ends on the face to within rounding; a law with a jump there must act at once.
     touches = (gap < -AT_TOUCH) | ((gap <= LANDED) & (rate > 0.0))
     depth = larger(-gap, AT_TOUCH) if touches & (engaged > 0.0) else 0.0
     pressed = normal_force(surface, depth, rate, body.ahead)
-    slip = slip_velocity(surface, arm.sliding + (omega ^ rubbing_at), n, body.vertical)
+    slip = slip_velocity(surface, sliding + (omega ^ rubbing_at), n, body.vertical)
     f_n = pressed.force * steepness
     rubbed = friction_force(surface, f_n, slip)
 
@@ -414,5 +449,6 @@ def face_contact(face: ContactFace, engaged: float, arm: ArmPose, body: BodyMoti
     )
     impulsive = 1.0 if surface.restitution >= 0.0 else 0.0
     return CageContact(
-        gap, -rate, n, impulsive, pressing, rubbing_at, rubbed.per_speed, surface, touch
-    )
+        gap, -rate, n, impulsive, pressing, rubbing_at, rubbed.per_speed, surface, touch,
+        face.moving,
+    )  # fmt: skip

@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
+from springback.contact.moving.parameters import GivenMotions
 from springback.contact.obstacles import Plane
 from springback.contact.restitution import dissipation_for
 from springback.contact.surfaces import (
@@ -144,6 +145,8 @@ class Wall(PlaneSettings):
     """A wall of any position and orientation."""
 
     type: Literal["wall"]
+    motion: GivenMotions | None = None
+    """How it moves: as prescribed, for it has no end; it is at rest unless it is given."""
 
 
 class Ground(Settings):

@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal, NamedTuple
 import numpy as np
 from pydantic import Field, model_validator
 
+from springback.contact.moving.parameters import MotionSettings
 from springback.contact.parameters import SurfaceSettings
 from springback.contact.scene.solids import (
     BOX,
@@ -52,6 +53,8 @@ class ShapeSettings(Settings):
     """What all built-in shapes have."""
 
     surface: SurfaceSettings
+    motion: MotionSettings | None = None
+    """How it moves; it is at rest unless it is given."""
 
     @abstractmethod
     def bodies(self) -> list[SolidShape]:

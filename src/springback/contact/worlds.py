@@ -14,6 +14,8 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from springback.contact.forest import Forest
+from springback.contact.moving.building import MovingShape, moving_scene
+from springback.contact.moving.scene import MovingScene
 from springback.contact.obstacles import Obstacle, Plane, SecondContact
 from springback.contact.openings import Doorway, Window
 from springback.contact.parameters import Ground, Mat, SurfaceSettings, Wall, faces
@@ -29,6 +31,7 @@ from springback.contact.shapes import (
     Pole,
     ShapeSettings,
     Slope,
+    SolidShape,
     Stairs,
     half_space,
     solids_of,
@@ -62,7 +65,7 @@ def _exponent_type(values: list[float]) -> type[Any]:
 
 def obstacles(
     settings: Sequence[BuiltIn], own: Sequence[Own] = (), *, as_scene: bool = False
-) -> tuple[Obstacle, ...] | SolidScene:
+) -> tuple[Obstacle, ...] | SolidScene | MovingScene:
     """Numbers of all obstacles; if there are none, a face out of reach.
 
     Args:
@@ -73,6 +76,8 @@ def obstacles(
     Raises:
         The problem, if there are too many.
     """
+    if any(_moves(entry) for entry in settings):
+        return _moving_scene(settings, own)
     if as_scene or any(isinstance(entry, ShapeSettings) for entry in settings):
         return _scene(settings, own)
     planes = [entry for entry in settings if not isinstance(entry, ShapeSettings)]
@@ -86,6 +91,38 @@ def obstacles(
     return tuple(
         Obstacle(shape, surface.surface(exponent), ground) for shape, surface, ground in all_faces
     )
+
+
+def _moves(entry: BuiltIn) -> bool:
+    return getattr(entry, "motion", None) is not None
+
+
+def _moving_scene(settings: Sequence[BuiltIn], own: Sequence[Own]) -> MovingScene:
+    """World in which some obstacles move."""
+    still = _scene([entry for entry in settings if not _moves(entry)], own)
+    if any(_is_impulsive(entry) for entry in settings):
+        raise problem(
+            "hold a surface of law impulse, which cannot be combined with motion", "world.obstacles"
+        )
+    moving = []
+    for k, entry in enumerate(settings):
+        if isinstance(entry, Wall | ShapeSettings) and _moves(entry):
+            surface = entry.surface.surface(AnyExponent, by_number=True)
+            place = f"world.obstacles[{k}]"
+            moving.append(MovingShape(_solids_alone(entry), surface, entry.motion, place))
+    return moving_scene(still, moving)
+
+
+def _is_impulsive(entry: BuiltIn) -> bool:
+    laws = (entry.surface, getattr(entry, "backing", entry.surface))
+    return any(law.law == "impulse" for law in laws)
+
+
+def _solids_alone(entry: Wall | ShapeSettings) -> list[SolidShape]:
+    if isinstance(entry, ShapeSettings):
+        return entry.bodies()
+    [(plane, _, _)] = faces(entry)
+    return [half_space(plane.normal, plane.offset)]
 
 
 def _own_faces(own: Sequence[Own]) -> list[tuple[Any, SurfaceSettings, float]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from springback.contact.cage import lowest_gap, obstacles_in_body_frame
+from springback.contact.cage import lowest_gap, obstacles_in_body_frame, obstacles_now
 from springback.contact.hull_contact import hull_gap
 from springback.contact.obstacles import World
 from springback.kernels.compiler import kernel
@@ -34,7 +34,8 @@ def clearance(airframe: Airframe, world: World, contact_point: Any, state: State
         state: State of the vehicle.
     """
     r = rotation(state.attitude)
-    obstacles = obstacles_in_body_frame(world.obstacles, state.position, r)
+    there = obstacles_now(world.obstacles, state.bodies)
+    obstacles = obstacles_in_body_frame(there, state.position, r)
     arms = (airframe.arms, state.arm_length, state.arm_rate)
     cages = tree_map(_of_arm, arms, (obstacles, contact_point, state))
     return minimum(cages + tree_map(hull_gap, (airframe.hull,), (obstacles,)))

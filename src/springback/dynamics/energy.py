@@ -10,10 +10,12 @@ from springback.contact.cage import (
     body_motion,
     contact_faces,
     obstacles_in_body_frame,
+    obstacles_now,
 )
 from springback.contact.hull_contact import hull_faces
 from springback.contact.obstacles import World
 from springback.contact.surfaces import elastic_energy
+from springback.dynamics.moving_obstacles import BodyEnergy, bodies_energy
 from springback.kernels.compiler import rare_kernel
 from springback.kernels.trees import field_of, fold, replace, tree_map, tree_sum
 from springback.kernels.vectors import (
@@ -42,11 +44,13 @@ class Energy(NamedTuple):
     springs: float  # arm springs
     stops: float  # end stops
     contact: float  # elastic part of the contacts
+    obstacles: float  # of obstacles that move by themselves: all of theirs
 
     @property
     def total(self) -> float:
         """Sum of all parts [J]."""
-        return self.kinetic + self.gravity + self.springs + self.stops + self.contact
+        held = self.kinetic + self.gravity + self.springs + self.stops + self.contact
+        return held + self.obstacles
 
 
 @rare_kernel
@@ -75,6 +79,7 @@ def _arm_energy(
         * (arm.length - length),
         stops=0.5 * arm.compliance * arm.stop_stiffness * pressed,
         contact=tree_sum(stored),
+        obstacles=0.0,
     )
 
 
@@ -93,7 +98,8 @@ def _hull_energy(so_far: float, hull: Sphere, obstacles: Any) -> float:
 def energy(airframe: Airframe, world: World, contact_point: Any, state: State) -> Energy:
     """Mechanical energy of a vehicle [J], eqs. (5) and (7) with contact and end stops added."""
     body, omega = body_motion(state, 0.0), state.angular_velocity
-    obstacles = obstacles_in_body_frame(world.obstacles, state.position, body.r)
+    there = obstacles_now(world.obstacles, state.bodies)
+    obstacles = obstacles_in_body_frame(there, state.position, body.r)
     arms = tree_map(
         _arm_energy,
         (airframe.arms, state.arm_length, state.arm_rate),
@@ -105,7 +111,15 @@ def energy(airframe: Airframe, world: World, contact_point: Any, state: State) -
     kinetic += 0.5 * (omega @ (airframe.inertia @ omega))
     gravity = body_mass * world.gravity * state.position.z
     contact = fold(_hull_energy, a.contact, airframe.hull, (obstacles,))
-    return Energy(a.kinetic + kinetic, a.gravity + gravity, a.springs, a.stops, contact)
+    held = Energy(a.kinetic + kinetic, a.gravity + gravity, a.springs, a.stops, contact, 0.0)
+    moving = bodies_energy(world.obstacles, state.bodies, world.gravity)
+    return fold(_with_body, held, moving, ())
+
+
+@rare_kernel
+def _with_body(held: Energy, body: BodyEnergy) -> Energy:
+    more = body.kinetic + body.gravity + body.springs + body.contact
+    return replace(held, obstacles=held.obstacles + more)
 
 
 class Spread(NamedTuple):
@@ -173,4 +187,5 @@ def locked_state(airframe: Airframe, state: State) -> State:
         new_omega,
         state.arm_length,
         tree_map(_still, (airframe.arms,), ()),
+        state.bodies,
     )

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.contact.cage import BodyMotion, CageContact
+from springback.contact.cage import BodyMotion, CageContact, moving_bodies
 from springback.contact.hull_contact import hull_contact, hull_faces
 from springback.contact.step_bounds import InverseInertia
 from springback.dynamics.crossing import Crossing, soonest
@@ -81,7 +81,8 @@ def hull_state(
     farthest = maximum(tree_map(_square_distance, (met,), ()))
     slips = tree_map(slip_of, (met,), ())
     touched = touched_normal(met, gap, engaged_now)
-    return HullState(contact_of(touch), view, touched, touch.grip.damper, farthest, slips)
+    contact = contact_of(touch, moving_bodies(obstacles), met)
+    return HullState(contact, view, touched, touch.grip.damper, farthest, slips)
 
 
 @kernel

@@ -23,6 +23,7 @@ from springback.contact.cage import (
     contact_faces,
     face_contact,
     obstacles_in_body_frame,
+    obstacles_now,
     slip_velocity,
 )
 from springback.contact.hull_contact import hull_contact, hull_faces
@@ -132,7 +133,8 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
     centre, drift = r @ (arms.first * (1.0 / m)), r @ (arms.drift * (1.0 / m))
     inertia = airframe.inertia + arms_inertia(arms.second)
     inertia = about_mass_centre(inertia, m, arms.first * (1.0 / m))
-    obstacles = obstacles_in_body_frame(world.obstacles, state.position, r)
+    there = obstacles_now(world.obstacles, state.bodies)
+    obstacles = obstacles_in_body_frame(there, state.position, r)
     up = Vec(0.0, 0.0, 1.0)
     of_cages = tree_map(
         _hits_of_arm,
@@ -228,6 +230,7 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
         w @ r,
         state.arm_length,
         state.arm_rate,
+        state.bodies,
     )
     before = energy(airframe, world, contact_point, state)
     left = energy(airframe, world, contact_point, after)
@@ -241,5 +244,6 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
         work.settling,
         work.air,
         work.impulse + given,
+        work.bodies,
     )
     return Motion(after, booked)

@@ -29,7 +29,9 @@ class LedgerBalance(NamedTuple):
 
 
 def ledger_balance(work: Any, before: Any, after: Any) -> LedgerBalance:
-    """Balance of energy and work: end − start − work of the rotors + losses, ideally zero.
+    """Balance of energy and work: end − start − work of rotors and drives + losses, ideally zero.
+
+    Energies are those of the vehicle and of all obstacles that move by themselves.
 
     Args:
         work: `springback.dynamics.motion.Work` since the start, whose leaves are columns.
@@ -39,11 +41,16 @@ def ledger_balance(work: Any, before: Any, after: Any) -> LedgerBalance:
     w, ground = work, before.gravity
     start, end = before.total - ground, after.total - ground
     losses = w.arm + w.stop + w.contact + w.friction + w.settling + w.air
+    driven = np.zeros_like(start)
+    for body in w.bodies:
+        losses = losses + body.joint + body.contact + body.friction
+        driven = driven + body.driven
     fallen = np.abs(after.gravity - ground)
     energies = before.kinetic, after.kinetic, losses, np.abs(w.thrust), np.abs(w.air), fallen
+    energies = (*energies, np.abs(driven), np.abs(after.obstacles - before.obstacles))
     scale = reduce(np.maximum, energies)
     with np.errstate(divide="ignore", invalid="ignore"):
-        left_over = end - start - w.thrust + losses
+        left_over = end - start - w.thrust - driven + losses
         residual = np.where(scale > 0.0, left_over / scale, 0.0)
         closes = (np.abs(residual) <= TOLERANCE) | (np.abs(left_over) <= ROUNDING)
     return LedgerBalance(start, end, residual, closes)

@@ -34,7 +34,9 @@ from springback.contact.cage import (
     body_motion,
     contact_faces,
     face_contact,
+    moving_bodies,
     obstacles_in_body_frame,
+    obstacles_now,
     per_face,
 )
 from springback.contact.obstacles import World
@@ -50,6 +52,15 @@ from springback.dynamics.air import aerodynamics
 from springback.dynamics.crossing import Crossing, sooner, soonest
 from springback.dynamics.hull_state import HullView as HullView
 from springback.dynamics.hull_state import friction_rate_with_hull, hull_slip_rate, hull_state
+from springback.dynamics.moving_obstacles import (
+    BodyView,
+    BodyWork,
+    StepRates,
+    VehiclePlace,
+    all_flags,
+    bodies_rates,
+    with_body_rates,
+)
 from springback.dynamics.solution import Free as Free
 from springback.dynamics.solution import Slider as Slider
 from springback.dynamics.solution import System as System
@@ -104,6 +115,7 @@ class Work(NamedTuple):
     settling: float  # lost when settled arms are locked again [J]
     air: float  # taken by the air; negative where wind adds energy [J]
     impulse: Vec  # of the contact forces, world [N s]
+    bodies: tuple[BodyWork, ...] = ()  # by obstacles that move; mostly none
 
 
 class Motion(NamedTuple):
@@ -143,6 +155,7 @@ class View(NamedTuple):
     friction_rate: float  # upper bound on the rate at which friction stops a sliding cage [1/s]
     contact_rate: float  # upper bound on the rate of contacts and end stops [1/s]
     slip_rate: float  # rate of change of a slip, over its regularised speed [1/s]
+    bodies: tuple[BodyView, ...] = ()  # obstacles that move; mostly none
 
 
 class ArmShare(NamedTuple):
@@ -173,6 +186,7 @@ class Engaged(NamedTuple):
 
     arms: tuple[tuple[float, ...], ...]  # the cage of each arm
     hull: tuple[tuple[float, ...], ...]  # of the main body
+    bodies: tuple[float, ...] = ()  # of moving obstacles: see `body_touch`
 
 
 class Surroundings(NamedTuple):
@@ -252,7 +266,7 @@ def arm_state(
     carried, drift = ml * e, (m * rate) * e
     per_mass = u * arm.inverse_mass
     share = ArmShare(
-        contact=contact_of(touch),
+        contact=contact_of(touch, moving_bodies(around.obstacles), met),
         thrust=thrust,
         rotor_moment=thrust * Vec(lever.y, -lever.x, arm.torque_ratio),
         taken=(u * h) * e,
@@ -371,6 +385,7 @@ def rates(plant: Plant, state: State, released: float) -> Rates:
     engaged = Engaged(
         tree_map(_engaged_part, (plant.airframe.arms,), (plant.world.obstacles,)),
         tree_map(_engaged_part, (plant.airframe.hull,), (plant.world.obstacles,)),
+        tree_map(all_flags, (moving_bodies(plant.world.obstacles),), ()),
     )
     return rates_while(plant, state, released, engaged)
 
@@ -390,7 +405,8 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
     airframe, world = plant.airframe, plant.world
     body = body_motion(state, AHEAD * fastest_cage(airframe, state))
     r, omega, velocity = body.r, body.omega, body.velocity
-    obstacles = obstacles_in_body_frame(world.obstacles, state.position, r)
+    there = obstacles_now(world.obstacles, state.bodies)
+    obstacles = obstacles_in_body_frame(there, state.position, r)
     arms, a = tree_map_sum(
         arm_state,
         "share",
@@ -399,6 +415,11 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
     )
     hull = tree_map(hull_state, (airframe.hull, engaged.hull), (obstacles, body))
     contact = fold(_together, a.contact, field_of(hull, "contact"), ())
+    bodies = bodies_rates(
+        world.obstacles, state.bodies, moving_bodies(obstacles), contact.reactions, engaged.bodies,
+        VehiclePlace(state.position, r), world.gravity,
+    )  # fmt: skip
+    seen_bodies = field_of(bodies, "seen")
 
     blown = aerodynamics(plant.air, velocity, r, a.thrust)
     turning = omega ^ a.carried
@@ -425,6 +446,7 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
         solved.angular,
         state.arm_rate,
         sliding,
+        field_of(bodies, "state"),
     )
     thrust_power = a.thrust * velocity.z + a.rotor_moment @ omega
     push = r @ contact.force
@@ -437,6 +459,7 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
         0.0,
         blown.loss,
         push,
+        field_of(bodies, "work"),
     )
     mass_centre_velocity = state.velocity + r @ ((turning + a.drift) * airframe.inverse_mass)
     views = tree_map(
@@ -457,6 +480,11 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
         _arm_slip_rate, (airframe.arms, sliding, field_of(arms, "slips")), (moving,)
     )
     hull_slips = tree_map(hull_slip_rate, (hull,), (moving,))
+    contact_rate = contact_rate_bound(
+        contact.press, field_of(arms, "slide"), airframe.inverse_mass, inverse, reach(airframe)
+    )
+    slip = math.sqrt(maximum(cage_slips + hull_slips))
+    limits = fold(with_body_rates, StepRates(friction_rate, contact_rate, slip), seen_bodies, ())
     view = View(
         acceleration,
         solved.linear,
@@ -466,10 +494,9 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
         views,
         field_of(hull, "seen"),
         contact.on_ground,
-        friction_rate,
-        contact_rate_bound(
-            contact.press, field_of(arms, "slide"), airframe.inverse_mass, inverse, reach(airframe)
-        ),
-        math.sqrt(maximum(cage_slips + hull_slips)),
+        limits.friction,
+        limits.contact,
+        limits.slip,
+        seen_bodies,
     )
     return Rates(Motion(state_rate, work_rate), view)

@@ -7,17 +7,34 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from springback.contact.cage import LANDED, CageContact, ContactLoad, slip_velocity
+from springback.contact.cage import (
+    LANDED,
+    CageContact,
+    ContactLoad,
+    FaceMotion,
+    slip_velocity,
+)
 from springback.contact.step_bounds import ContactStiffness
 from springback.contact.surfaces import Surface
 from springback.dynamics.crossing import Crossing, crossing
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import maximum, tree_map, tree_sum
+from springback.kernels.trees import fold, maximum, tree_map, tree_sum
 from springback.kernels.vectors import Vec
 
 #: A cage at a surface of the impulse law rests there while it is slower than this along the normal
 #: [m/s]: it then touches without rebound (chosen: a rebound at this speed is 5 µm high).
 RESTING = 1e-2
+
+
+class Reaction(NamedTuple):
+    """All contacts of a vehicle with one moving obstacle; vectors in body axes of the vehicle."""
+
+    force: Vec  # on the vehicle [N]
+    moment: Vec  # on the vehicle, about the main body [N m]
+    stiffness: float  # of the normal forces [N/m]
+    damper: float  # of the normal forces [N s/m]
+    grip: float  # friction as a damper [N s/m]
+    per_speed: float  # of friction, 1/√(v² + v_s²), all together [s/m]
 
 
 class Contact(NamedTuple):
@@ -29,6 +46,7 @@ class Contact(NamedTuple):
     friction_loss: float  # [W]
     on_ground: float  # number of grounds touched
     press: ContactStiffness  # of the normal forces
+    reactions: tuple[Reaction, ...]  # of each moving obstacle; mostly none
 
 
 class Slip(NamedTuple):
@@ -41,11 +59,53 @@ class Slip(NamedTuple):
 
 
 @kernel
-def contact_of(touch: ContactLoad) -> Contact:
-    """Total effect of the contacts of one part on the vehicle."""
+def _of_face(met: CageContact, motion: FaceMotion, number: float) -> Reaction:
+    """Share of one contact in the reaction of a body, if it is with that."""
+    ours = 1.0 if motion.body == number else 0.0
+    touch = met.touch
+    return Reaction(
+        ours * touch.force, ours * touch.moment, ours * touch.press.stiffness,
+        ours * touch.press.damper, ours * touch.grip.damper, ours * met.per_speed,
+    )  # fmt: skip
+
+
+@kernel
+def _of_contact(met: CageContact, number: float) -> Reaction:
+    none = Vec(0.0, 0.0, 0.0)
+    start = Reaction(none, none, 0.0, 0.0, 0.0, 0.0)
+    return fold(_summed, start, met.moving, (met, number))
+
+
+@kernel
+def _summed(so_far: Reaction, motion: FaceMotion, met: CageContact, number: float) -> Reaction:
+    return tree_sum((so_far, _of_face(met, motion, number)))
+
+
+@kernel
+def reaction_of(motion: FaceMotion, met: tuple[CageContact, ...]) -> Reaction:
+    """All contacts of one part of a vehicle with a moving obstacle.
+
+    Args:
+        motion: Of the obstacle, which tells its number.
+        met: The faces that the part meets.
+    """
+    return tree_sum(tree_map(_of_contact, (met,), (motion.body,)))
+
+
+@kernel
+def contact_of(
+    touch: ContactLoad, motions: tuple[FaceMotion, ...], met: tuple[CageContact, ...]
+) -> Contact:
+    """Total effect of the contacts of one part on the vehicle.
+
+    Args:
+        touch: Sum over the faces that it meets.
+        motions: Of the moving obstacles.
+        met: The faces.
+    """
     return Contact(
         touch.force, touch.moment, touch.contact_loss, touch.friction_loss, touch.on_ground,
-        touch.press,
+        touch.press, tree_map(reaction_of, (motions,), (met,)),
     )  # fmt: skip
 
 

@@ -19,6 +19,7 @@ from springback.contact.cage import (
     contact_faces,
     face_contact,
     obstacles_in_body_frame,
+    obstacles_now,
     per_face,
 )
 from springback.contact.hull_contact import hull_contact, hull_faces
@@ -206,7 +207,8 @@ def _hull_contact(hull: Sphere, obstacles: Any, body: BodyMotion) -> PartContact
 def _contacts(at: Instant) -> tuple[PartContact, ...]:
     state = at.state
     body = body_motion(state, 0.0)
-    obstacles = obstacles_in_body_frame(at.world.obstacles, state.position, body.r)
+    there = obstacles_now(at.world.obstacles, state.bodies)
+    obstacles = obstacles_in_body_frame(there, state.position, body.r)
     arms = tree_map(
         _arm_contact,
         (at.airframe.arms, state.arm_length, state.arm_rate),

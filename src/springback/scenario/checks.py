@@ -9,8 +9,15 @@ from typing import Any
 
 from pydantic_core import PydanticCustomError
 
-from springback.contact.cage import LANDED, lowest_gap, obstacles_in_body_frame
+from springback.contact.cage import (
+    LANDED,
+    lowest_gap,
+    moving_bodies,
+    obstacles_in_body_frame,
+    obstacles_now,
+)
 from springback.contact.hull_contact import hull_gap
+from springback.contact.moving.scene import MovingScene
 from springback.contact.obstacles import Plane, signed_distance
 from springback.contact.parameters import faces
 from springback.contact.scene.faces import SolidScene, distance_of
@@ -203,7 +210,8 @@ def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
         return
     parts = [f"cage of arm {j}" for j in range(1, len(model.airframe.arms) + 1)] + ["main body"]
     for owner, one in _one_by_one(scenario, model):
-        there = obstacles_in_body_frame(one, state.position, rotation(state.attitude))
+        placed = obstacles_now(one, tuple(body.start for body in moving_bodies(one)))
+        there = obstacles_in_body_frame(placed, state.position, rotation(state.attitude))
         for part, gap in zip(
             parts, _gaps(there, model.airframe, model.contact_point), strict=False
         ):
@@ -220,7 +228,7 @@ def _one_by_one(scenario: ScenarioTables, model: Model) -> Iterator[tuple[int, A
     """Every built-in obstacle of a world with its number, as in `World.obstacles`."""
     given = enumerate(scenario.world.obstacles)
     known = [(k, entry) for k, entry in given if not isinstance(entry, UserShape)]
-    if isinstance(model.world.obstacles, SolidScene):
+    if isinstance(model.world.obstacles, SolidScene | MovingScene):
         yield from ((k, obstacles((entry,))) for k, entry in known)
         return
     owners = [k for k, entry in known if not isinstance(entry, ShapeSettings) for _ in faces(entry)]
@@ -246,6 +254,8 @@ def reach_of(airframe: Airframe) -> float:
 def is_clear(model: Model, state: State) -> bool:
     """True if all planes, or all solids of a scene, are out of reach at any attitude."""
     reach = reach_of(model.airframe)
+    if isinstance(model.world.obstacles, MovingScene):
+        return False
     if isinstance(model.world.obstacles, SolidScene):
         return distance_of(model.world.obstacles, state.position) >= reach
     for obstacle in model.world.obstacles:

@@ -9,7 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import scipy  # submodules are loaded on first use
 
-from springback.contact.cage import ArmTip, Ring
+from springback.contact.cage import ArmTip, Ring, moving_bodies
+from springback.contact.moving.scene import MovingScene
 from springback.contact.obstacles import (
     Forces,
     Impulses,
@@ -41,7 +42,7 @@ from springback.settings import naming, problem
 from springback.simulation.record import Model, Timing
 from springback.simulation.thrusts import ThrustTable
 from springback.vehicle.parameters import Vehicle
-from springback.vehicle.state import Airframe, State, build_airframe
+from springback.vehicle.state import Airframe, BodyState, State, build_airframe
 
 #: Tilt within which a cage that lies flat on a surface is assumed to touch at its centre [rad].
 RING_ROUNDING = 5e-3
@@ -207,6 +208,8 @@ def world_numbers(world: WorldSettings, own: Sequence[Own] = ()) -> World:
     """Obstacles and gravity; ``own`` are the user's own shapes, those that the world names, too."""
     known = tuple(entry for entry in world.obstacles if not isinstance(entry, UserShape))
     built = obstacles(known, own)
+    if isinstance(built, MovingScene):
+        return World(built, Forces(0.0), world.gravity)
     impulsive = isinstance(built, SolidScene) or any(
         one.surface.restitution >= 0.0 for one in built
     )
@@ -286,11 +289,17 @@ def start_state(start: Start, vehicle: Vehicle, model: Model, build: Build = pla
         The problem, if there is a touch distance and the straight motion meets no obstacle.
     """
     state: State = build(_state_at_place, start, vehicle)
+    state = state._replace(bodies=bodies_at_start(model.world))
     if start.touch_distance is None:
         return state
     moved = build(way_to_touch, model, state) - start.touch_distance
     direction = unit(state.velocity)
     return state._replace(position=state.position + moved * direction)
+
+
+def bodies_at_start(world: World) -> tuple[BodyState, ...]:
+    """States of the moving obstacles at time 0; mostly there are none."""
+    return tuple(body.start for body in moving_bodies(world.obstacles))
 
 
 def _state_at_place(start: Start, vehicle: Vehicle) -> State:
@@ -330,7 +339,7 @@ def _text(v: Vec) -> str:
 
 def _one_by_one(world: World) -> list[World]:
     """Worlds of one obstacle each: the same together; a scene is one."""
-    if isinstance(world.obstacles, SolidScene):
+    if isinstance(world.obstacles, SolidScene | MovingScene):
         return [world]
     shapes = [one for one in world.obstacles if not isinstance(one.shape, SecondContact)]
     return [world._replace(obstacles=(one,)) for one in shapes]
@@ -344,7 +353,8 @@ def _way_to(model: Model, world: World, state: State, direction: Vec) -> float:
         return clearance(model.airframe, world, model.contact_point, there)
 
     here = gap(0.0)
-    shape = None if isinstance(world.obstacles, SolidScene) else world.obstacles[0].shape
+    is_scene = isinstance(world.obstacles, SolidScene | MovingScene)
+    shape = None if is_scene else world.obstacles[0].shape
     if isinstance(shape, Plane):
         closing = -(shape.normal @ direction)
         return here / closing if closing > PARALLEL else math.inf

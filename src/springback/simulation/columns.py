@@ -71,7 +71,7 @@ def store_energies(shape: TreeLayout, buffers: Buffer, lanes: tuple[int, ...], o
 
 def energies(shape: Shape, buffers: Buffer, width: int, count: int) -> Any:
     """`Energy` of many flights, in columns."""
-    like = Energy(0.0, 0.0, 0.0, 0.0, 0.0)
+    like = Energy(0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     out = np.zeros((len(buffers), rows(like) * width))
     store_energies(TreeLayout(shape), buffers, (0,) * width, out)
     return columns_of(like, out, 0, width, count)

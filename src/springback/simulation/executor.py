@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.contact.cage import per_face
+from springback.contact.cage import moving_bodies, per_face
 from springback.contact.obstacles import Forces, Impulses, World
 from springback.dynamics.crossing import NO_CROSSING, Crossing
 from springback.dynamics.energy import energy, locked_state
@@ -27,6 +27,7 @@ from springback.dynamics.motion import (
     rates,
     rates_while,
 )
+from springback.dynamics.moving_obstacles import NO_VIEW, BodyView
 from springback.dynamics.rigid import RigidRates, RigidState, rigid_step
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
 from springback.kernels.layout import Buffer, TreeLayout, read, rows, write
@@ -63,7 +64,7 @@ from springback.simulation.record import (
     record_after_cruise,
 )
 from springback.simulation.thrusts import body_at, model_at, ramped_step
-from springback.vehicle.state import Airframe, Arm, Sphere, State
+from springback.vehicle.state import Airframe, Arm, BodyState, Sphere, State
 
 #: A flight has diverged if the sum of squares of its coordinates and speeds is more than this.
 DIVERGED = 1e12
@@ -164,7 +165,8 @@ def add_stage(shape: TreeLayout, b: Buffer, w: int, reach: float, weight: float)
         for i in range(w):
             model = _without_hull(_stage_model(shape, b, w, i, reach))
             state = _stage_state(shape, b, w, i, reach)
-            engaged = Engaged(read(contacts.engaged.arms, b, at.engaged, w, i), ())
+            flags = read(contacts.engaged, b, at.engaged, w, i)
+            engaged = Engaged(flags.arms, (), flags.bodies)
             known = rates_within(model, state, b[at.phase * w + i], engaged)
             _add_rates(shape, b, w, i, known.motion, weight)
 
@@ -229,6 +231,11 @@ def _far_hull(hull: Sphere, room: float, obstacles: Any) -> HullView:
 
 
 @kernel
+def _far_body(body: Any) -> BodyView:
+    return NO_VIEW
+
+
+@kernel
 def cruise_view(
     airframe: Airframe,
     world: World,
@@ -240,7 +247,13 @@ def cruise_view(
     arms = tree_map(_far_arm, (airframe.arms, lengths), (room, world.obstacles))
     hull = tree_map(_far_hull, (airframe.hull,), (room, world.obstacles))
     none, a, centre = Vec(0.0, 0.0, 0.0), known.flight.velocity, known.mass_centre_velocity
-    return View(a, known.specific_force, centre, none, none, arms, hull, 0.0, 0.0, 0.0, 0.0)
+    bodies = tree_map(_far_body, (moving_bodies(world.obstacles),), ())
+    return View(a, known.specific_force, centre, none, none, arms, hull, 0.0, 0.0, 0.0, 0.0, bodies)
+
+
+@guard
+def _renormalised(body: BodyState) -> BodyState:
+    return replace(body, attitude=renormalise(body.attitude))
 
 
 @guard
@@ -252,7 +265,8 @@ def accept_step(shape: TreeLayout, b: Buffer, w: int, i: int) -> None:
     rate = read(shape.motion, b, at.total, w, i)
     new = axpy_strictly(old, rate, SIXTH * h)
     good = square(new.state) < DIVERGED
-    state = replace(new.state, attitude=renormalise(new.state.attitude))
+    bodies = tree_map(_renormalised, (new.state.bodies,), ())
+    state = replace(new.state, attitude=renormalise(new.state.attitude), bodies=bodies)
     # A flight that has ended keeps its bits while its neighbours fly on: normalising changes some.
     write(select(good & (h > 0.0), Motion(state, new.work), old), b, at.motion, w, i)
     b[at.record * w + i] += h if good else 0.0

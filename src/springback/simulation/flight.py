@@ -15,6 +15,7 @@ from springback.contact.cage import per_face
 from springback.dynamics.crossing import Crossing
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import ArmView, HullView, Motion, View, Work
+from springback.dynamics.moving_obstacles import NO_VIEW, BodyWork
 from springback.errors import InputError
 from springback.kernels.compiler import Origin, implementations, user_executor
 from springback.kernels.frozen import frozen_digest
@@ -77,7 +78,13 @@ class FlightRecord(NamedTuple):
 
 def still_work() -> Work:
     """Work of a flight that has not begun."""
-    return Work(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, Vec(0.0, 0.0, 0.0))
+    return work_of_bodies(0)
+
+
+def work_of_bodies(bodies: int) -> Work:
+    """Work of a flight among some moving obstacles that has not begun."""
+    none = BodyWork(0.0, 0.0, 0.0, 0.0)
+    return Work(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, Vec(0.0, 0.0, 0.0), (none,) * bodies)
 
 
 def shape_of(model: Model, state: State) -> Shape:
@@ -88,8 +95,13 @@ def shape_of(model: Model, state: State) -> Shape:
     none = Crossing(0.0, 0.0)
     arm = ArmView(0.0, 0.0, 0.0, zero, 0.0, 0.0, none, apart, 0.0, 0.0, 0.0)
     hull = HullView(0.0, 0.0, 0.0, zero, none, apart, 0.0)
-    view = View(zero, zero, zero, zero, zero, (arm,) * arms, (hull,) * hulls, 0.0, 0.0, 0.0, 0.0)
-    return Shape(model, Motion(state, still_work()), view, blank_record(arms, obstacles, hulls))
+    bodies = len(state.bodies)
+    seen = (arm,) * arms, (hull,) * hulls, 0.0, 0.0, 0.0, 0.0, (NO_VIEW,) * bodies
+    view, record = (
+        View(zero, zero, zero, zero, zero, *seen),
+        blank_record(arms, obstacles, hulls, bodies),
+    )
+    return Shape(model, Motion(state, work_of_bodies(bodies)), view, record)
 
 
 def still_state(arm_lengths: Sequence[float]) -> State:

@@ -8,11 +8,12 @@ that are locked and impulses begin a new one.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
+from springback.dynamics.motion import ArmView, View
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import select
-from springback.kernels.vectors import larger
+from springback.kernels.trees import field_of, maximum, select, tree_map
+from springback.kernels.vectors import Vec, larger, norm
 
 
 class Peaks(NamedTuple):
@@ -119,4 +120,40 @@ def peaks_after(before: Peaks, now: Peaks, counts: bool) -> Peaks:
         largest_so_far(counts, now.penetration, before.penetration),
         largest_so_far(counts, now.compression, before.compression),
         largest_so_far(counts, now.extension, before.extension),
+    )
+
+
+@kernel
+def _extension(arm: ArmView) -> float:
+    return -arm.compression
+
+
+@kernel
+def peaks_now(
+    spin: Vec, view: View, sample: PeakSample, recent: Recent, stepping: Any, smooth: bool
+) -> Peaks:
+    """Values at an instant, or between the last two where those rise and fall within steps.
+
+    Args:
+        spin: Angular velocity [rad/s].
+        view: Of the vehicle.
+        sample: Of this instant.
+        recent: The last two instants.
+        stepping: `springback.simulation.record.Stepping` of this instant.
+        smooth: True if nothing has jumped since the last.
+    """
+    apart = spacing(recent, stepping.step, smooth)
+    earlier, latest = recent.earlier, recent.latest
+    hardest = peak_of(earlier.acceleration, latest.acceleration, sample.acceleration, apart)
+    felt = peak_of(earlier.specific_force, latest.specific_force, sample.specific_force, apart)
+    normal = peak_of(earlier.normal_force, latest.normal_force, sample.normal_force, apart)
+    return Peaks(
+        hardest.value,
+        stepping.time + hardest.time,
+        felt.value,
+        norm(spin),
+        normal.value,
+        maximum(field_of(view.arms, "depth") + field_of(view.hull, "depth")),
+        maximum(field_of(view.arms, "compression")),
+        maximum(tree_map(_extension, (view.arms,), ())),
     )

@@ -19,6 +19,7 @@ from springback.contact.cage import (
     contact_faces,
     face_contact,
     obstacles_in_body_frame,
+    obstacles_now,
 )
 from springback.contact.hull_contact import hull_contact, hull_faces
 from springback.contact.obstacles import World
@@ -111,7 +112,8 @@ def _hull_load(hull: Sphere, obstacles: Any, body: BodyMotion) -> PartLoad:
 def _evaluate(at: Instant) -> Evaluation:
     state = at.state
     body = body_motion(state, 0.0)
-    obstacles = obstacles_in_body_frame(at.world.obstacles, state.position, body.r)
+    there = obstacles_now(at.world.obstacles, state.bodies)
+    obstacles = obstacles_in_body_frame(there, state.position, body.r)
     arms = tree_map(
         _arm_load,
         (at.airframe.arms, state.arm_length, state.arm_rate),

@@ -12,9 +12,10 @@ from springback.contact.obstacles import World
 from springback.dynamics.clearance import clearance
 from springback.dynamics.crossing import crossing, sooner, soonest, time_to
 from springback.dynamics.motion import LANDED, ArmView, Engaged, Motion, View
+from springback.dynamics.moving_obstacles import faster, nearer
 from springback.dynamics.rigid import RigidRates, RigidState
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import field_of, maximum, minimum, replace, select, tree_map
+from springback.kernels.trees import field_of, fold, maximum, minimum, replace, select, tree_map
 from springback.kernels.vectors import Vec, larger, norm, smaller
 from springback.simulation.peaks import (
     NOTHING_YET,
@@ -22,9 +23,8 @@ from springback.simulation.peaks import (
     PeakSample,
     Recent,
     largest_so_far,
-    peak_of,
     peaks_after,
-    spacing,
+    peaks_now,
 )
 from springback.simulation.thrusts import ARRIVED as ARRIVED
 from springback.simulation.thrusts import Ramp
@@ -141,11 +141,13 @@ class Record(NamedTuple):
     recent: Recent  # the last two instants, for peaks between instants
 
 
-def blank_record(arm_count: int, obstacle_count: int = 1, hull_count: int = 0) -> Record:
+def blank_record(
+    arm_count: int, obstacle_count: int = 1, hull_count: int = 0, body_count: int = 0
+) -> Record:
     """Record of a flight that has not begun."""
     never, none, hull = -1.0, (0.0,) * arm_count, (0.0,) * hull_count
     apart = (0.0,) * obstacle_count
-    engaged = Engaged((apart,) * arm_count, (apart,) * hull_count)
+    engaged = Engaged((apart,) * arm_count, (apart,) * hull_count, (0.0,) * body_count)
     peaks = Peaks(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     return Record(
         Stepping(0.0, 0.0, FLYING, FREE_FLIGHT, NOTHING, MAY_LOOK, 0.0, 0.0),
@@ -157,11 +159,6 @@ def blank_record(arm_count: int, obstacle_count: int = 1, hull_count: int = 0) -
         peaks._replace(acceleration_time=never),
         NOTHING_YET,
     )
-
-
-@kernel
-def _extension(arm: ArmView) -> float:
-    return -arm.compression
 
 
 @kernel
@@ -259,11 +256,16 @@ def awaits_return(impacts: float, first: FirstImpact) -> bool:
 
 @kernel
 def is_quiet(
-    timing: Timing, touching: float, phase: float, impact_open: float, ahead: bool
+    timing: Timing,
+    touching: float,
+    phase: float,
+    impact_open: float,
+    ahead: bool,
+    bodies: tuple[Any, ...],
 ) -> bool:
-    """True if a step as one rigid body misses no event."""
+    """True if a step as one rigid body misses no event; never where obstacles move."""
     still = (touching == 0.0) & (phase == FREE_FLIGHT) & (impact_open == 0.0)
-    return still & (not ahead) & (timing.hybrid > 0.0)
+    return still & (not ahead) & (timing.hybrid > 0.0) & (len(bodies) == 0)
 
 
 class ClearanceCheck(NamedTuple):
@@ -279,7 +281,10 @@ def clearance_check(model: Model, state: State, m: Record) -> ClearanceCheck:
     room = clearance(model.airframe, model.world, model.contact_point, state)
     fastest = fastest_point(model.airframe, state.velocity, state.angular_velocity)
     contacts, ahead = m.contacts, awaits_return(m.contacts.impacts, m.first_impact)
-    quiet = is_quiet(model.timing, contacts.touching, m.stepping.phase, contacts.impact_open, ahead)
+    quiet = is_quiet(
+        model.timing, contacts.touching, m.stepping.phase, contacts.impact_open, ahead,
+        state.bodies,
+    )  # fmt: skip
     cruising = select(quiet & has_room(model.timing, room, fastest), CRUISING, STEERED)
     return ClearanceCheck(cruising, room)
 
@@ -305,7 +310,11 @@ class Situation(NamedTuple):
 def situation_of(model: Model, state: State, view: View, m: Record) -> Situation:
     """Contacts and phase at an instant; ``m`` is the record before."""
     timing, now, before = model.timing, m.stepping, m.contacts
-    engaged = Engaged(field_of(view.arms, "engaged"), field_of(view.hull, "engaged"))
+    engaged = Engaged(
+        field_of(view.arms, "engaged"),
+        field_of(view.hull, "engaged"),
+        field_of(view.bodies, "engaged"),
+    )
     arm_touching = tree_map(_touch, (engaged.arms,), ())
     hull_touching = tree_map(_touch, (engaged.hull,), ())
     touching = maximum(arm_touching + hull_touching)
@@ -398,6 +407,7 @@ def _time_to_crossing(
     """
     depth, speed = first.inward @ state.position, first.inward @ state.velocity
     crossings = field_of(view.arms, "crossing") + field_of(view.hull, "crossing")
+    crossings = crossings + field_of(view.bodies, "crossing")
     returning = crossing(depth - first.touch_depth, select(ahead, speed, 0.0))
     time_to_crossing = time_to(sooner(soonest(crossings), returning))
     return select(
@@ -423,7 +433,9 @@ def _stepping_after(
     # No point moves faster than this, so nothing can touch unnoticed within the step.
     fastest = fastest_point(model.airframe, state.velocity, state.angular_velocity)
     near = minimum(field_of(view.arms, "gap") + field_of(view.hull, "gap"))
-    haste = larger(fastest_cage(model.airframe, state), TINY)
+    near = fold(nearer, near, view.bodies, ())
+    haste = fold(faster, fastest_cage(model.airframe, state), view.bodies, ())
+    haste = larger(haste, TINY)
     stiff = larger(view.contact_rate * PER_CONTACT_SHARE, view.slip_rate * PER_SLIP_SHARE)
     stiff = larger(larger(stiff, view.friction_rate * PER_FRICTION_SHARE), 1.0)
     both = 1.0 / (haste * stiff)  # one division for two
@@ -434,7 +446,8 @@ def _stepping_after(
     changed = (phase != now.phase) | at.strikes
     halted = finished | changed | (now.status != FLYING)
     step = select(halted, 0.0, smaller(step, left))
-    quiet = is_quiet(timing, at.touching, phase, at.impact_open, ahead) & (step > 0.0)
+    quiet = is_quiet(timing, at.touching, phase, at.impact_open, ahead, state.bodies)
+    quiet = quiet & (step > 0.0)
     return Stepping(
         time=now.time,
         step=step,
@@ -444,26 +457,6 @@ def _stepping_after(
         cruising=select(quiet & has_room(timing, near, fastest), CRUISING, STEERED),
         room=near,
         steps=now.steps + select(step > 0.0, 1.0, 0.0),
-    )
-
-
-@kernel
-def _peaks_now(state: State, view: View, sample: PeakSample, m: Record, smooth: bool) -> Peaks:
-    """Values at an instant, or between the last two where those rise and fall within steps."""
-    apart = spacing(m.recent, m.stepping.step, smooth)
-    earlier, latest = m.recent.earlier, m.recent.latest
-    hardest = peak_of(earlier.acceleration, latest.acceleration, sample.acceleration, apart)
-    felt = peak_of(earlier.specific_force, latest.specific_force, sample.specific_force, apart)
-    normal = peak_of(earlier.normal_force, latest.normal_force, sample.normal_force, apart)
-    return Peaks(
-        hardest.value,
-        m.stepping.time + hardest.time,
-        felt.value,
-        norm(state.angular_velocity),
-        normal.value,
-        maximum(field_of(view.arms, "depth") + field_of(view.hull, "depth")),
-        maximum(field_of(view.arms, "compression")),
-        maximum(tree_map(_extension, (view.arms,), ())),
     )
 
 
@@ -485,7 +478,7 @@ def record_after(model: Model, motion: Motion, view: View, m: Record) -> Record:
     parts = (at.engaged.arms + at.engaged.hull, m.contacts.engaged.arms + m.contacts.engaged.hull)
     jumped = maximum(tree_map(_largest_change, parts, ())) > 0.0
     smooth = (now.step > 0.0) & (not jumped)
-    peaks = _peaks_now(state, view, sample, m, smooth)
+    peaks = peaks_now(state.angular_velocity, view, sample, m.recent, now, smooth)
     within = (at.impacts == 1.0) & (at.phase == IMPACT)  # until its arms have settled
     recent = Recent(select(smooth, now.step, 0.0), m.recent.latest, sample)
     return Record(

@@ -111,6 +111,18 @@ def reach(airframe: Airframe) -> float:
     return maximum(parts)
 
 
+class BodyState(NamedTuple):
+    """Motion of an obstacle that moves by itself; or, field by field, its rate.
+
+    Only what its kind of motion leaves open is used: `springback.contact.moving.bodies.body_pose`.
+    """
+
+    position: Vec  # of its centre of mass, world [m]; x: the time [s], where its motion is given
+    attitude: Quat  # its axes to world
+    velocity: Vec  # world [m/s]
+    angular_velocity: Vec  # its axes [rad/s]
+
+
 class State(NamedTuple):
     """Position, attitude and velocities of a vehicle; or, field by field, their rates."""
 
@@ -120,6 +132,7 @@ class State(NamedTuple):
     angular_velocity: Vec  # ω, body axes [rad/s]
     arm_length: tuple[float, ...]  # l_j [m]
     arm_rate: tuple[float, ...]  # l̇_j [m/s]
+    bodies: tuple[BodyState, ...] = ()  # obstacles that move; mostly none
 
 
 @kernel

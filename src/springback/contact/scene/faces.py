@@ -151,7 +151,7 @@ def _no_face() -> ContactFace:
         0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, AnyTangent(0.0), 1.0, -1.0
     )  # fmt: skip
     nearest = simple_face(FAR, Vec(0.0, 0.0, 1.0), Support(none, none, none, 0.0))
-    return ContactFace(nearest, surface, 0.0)
+    return ContactFace(nearest, surface, 0.0, ())
 
 
 @kernel
@@ -166,7 +166,7 @@ def _with_face(found: ThreeFaces, table: float, row: int, nearest: NearestFace) 
     gap = nearest.gap
     if gap >= found.third.nearest.gap:
         return found
-    new = ContactFace(nearest, _surface_at(table, row), number_at(table, row + GROUND))
+    new = ContactFace(nearest, _surface_at(table, row), number_at(table, row + GROUND), ())
     if gap < found.first.nearest.gap:
         return ThreeFaces(new, found.first, found.second)
     if gap < found.second.nearest.gap:
@@ -396,14 +396,15 @@ def scene_faces(part: VehiclePart) -> ThreeFaces:
     return found
 
 
-def _blank_part() -> VehiclePart:
+def blank_part() -> VehiclePart:
+    """A part of the type that routines are made for."""
     none = Vec(0.0, 0.0, 0.0)
     pose = ArmPose(none, none, none)
     return VehiclePart(0.0, 0.0, 0.0, 0.0, pose, none, Mat3(none, none, none), 0.0)
 
 
 #: `scene_faces`, compiled once for all vehicles and worlds.
-SCENE_FACES = Routine(scene_faces, _blank_part())
+SCENE_FACES = Routine(scene_faces, blank_part())
 
 
 def distance_of(scene: SolidScene, point: Vec) -> float:
@@ -440,13 +441,20 @@ def _sphere_numbers(hull: Sphere) -> tuple[float, float]:
 
 
 @kernel
+def part_of(
+    scene: SceneInBodyFrame, contact_point: Any, radius: float, arm: ArmPose
+) -> VehiclePart:
+    """A part of a vehicle, for a search in a scene; arguments as for `contact_faces`."""
+    kind, rounding = part_numbers(contact_point)
+    at, r = scene.position, scene.r
+    return VehiclePart(scene.table, kind, rounding, radius, arm, at, r, scene.exact)
+
+
+@kernel
 def _found_faces(
     scene: SceneInBodyFrame, contact_point: Any, radius: float, arm: ArmPose
 ) -> ThreeFaces:
-    kind, rounding = part_numbers(contact_point)
-    at, r = scene.position, scene.r
-    part = VehiclePart(scene.table, kind, rounding, radius, arm, at, r, scene.exact)
-    return call_routine(scene.query, part, no_faces())
+    return call_routine(scene.query, part_of(scene, contact_point, radius, arm), no_faces())
 
 
 @obstacles_in_body_frame.register(SolidScene)

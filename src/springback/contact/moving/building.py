@@ -1,0 +1,277 @@
+"""Moving obstacles, built from their settings."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+import scipy  # submodules are loaded on first use
+
+from springback.contact.moving.bodies import (
+    ABSENT,
+    FREE,
+    GIVEN,
+    HINGED,
+    PIVOTED,
+    GivenPath,
+    MovingBody,
+)
+from springback.contact.moving.mass_properties import mass_properties
+from springback.contact.moving.parameters import (
+    ConstantMotion,
+    FreeMotion,
+    HingeMotion,
+    PendulumMotion,
+    SineMotion,
+    TableMotion,
+)
+from springback.contact.moving.scene import MOVING_FACES, MovingScene
+from springback.contact.scene.faces import FACES, SolidScene
+from springback.contact.scene.solids import CAPSULE, FRUSTUM, HALF_SPACE, TORUS
+from springback.contact.scene.table import ENDLESS, Solid, scene_of
+from springback.contact.shapes import SolidShape
+from springback.contact.surfaces import Surface
+from springback.kernels.routines import NumberTable
+from springback.kernels.vectors import Mat3, Quat, Vec
+from springback.settings import naming, problem
+from springback.vehicle.state import BodyState
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+#: Numbers of moving obstacles that are structures of their own to the compiler: others are filled
+#: up with bodies that touch nothing.
+COUNTS = (1, 2, 4, 8)
+#: Spheres with which a body touches the world: their flags are bits of one number.
+MOST_POINTS = 52 // FACES
+#: Points around each rim.
+RIM = 6
+_NONE = Vec(0.0, 0.0, 0.0)
+
+
+class MovingShape(NamedTuple):
+    """An obstacle that moves: its solids where it is at time 0, its surface and its motion."""
+
+    solids: list[SolidShape]
+    surface: Surface
+    motion: Any
+    place: str  # key of its table, such as ``world.obstacles[2]``
+
+
+def moving_scene(still: SolidScene, moving: Sequence[MovingShape]) -> MovingScene:
+    """World of a scene and some moving obstacles.
+
+    Raises:
+        The problem, with its key.
+    """
+    if len(moving) > COUNTS[-1]:
+        raise problem(f"hold {len(moving)} that move; the most is {COUNTS[-1]}", "world.obstacles")
+    bodies = []
+    for number, shape in enumerate(moving):
+        with naming(f"{shape.place}.motion"):
+            bodies.append(_body(number, shape))
+    count = next(count for count in COUNTS if count >= len(bodies))
+    bodies += [_absent(number) for number in range(len(bodies), count)]
+    return MovingScene(still, tuple(bodies), MOVING_FACES.address)
+
+
+def _scene_about(shape: MovingShape, origin: Array) -> SolidScene:
+    solids = [
+        Solid(*body._replace(centre=body.centre - origin), 0, 0.0, 0) for body in shape.solids
+    ]
+    return scene_of(solids, [shape.surface])
+
+
+def _state(**known: Any) -> BodyState:
+    return BodyState(_NONE, Quat(1.0, 0.0, 0.0, 0.0), _NONE, _NONE)._replace(**known)
+
+
+#: An obstacle that does nothing.
+_NOTHING = MovingBody(
+    0.0, ABSENT, 0.0, 1.0, Mat3(_NONE, _NONE, _NONE), Mat3(_NONE, _NONE, _NONE), _NONE, _NONE,
+    Vec(0.0, 0.0, 1.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
+    GivenPath(_NONE, _NONE, _NONE, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0, _state(),
+)  # fmt: skip
+
+
+def _absent(number: int) -> MovingBody:
+    return _NOTHING._replace(number=float(number))
+
+
+def _body(number: int, shape: MovingShape) -> MovingBody:
+    motion = shape.motion
+    if shape.surface.restitution >= 0.0:
+        raise problem("cannot be combined with a surface of law impulse")
+    if isinstance(motion, FreeMotion | PendulumMotion | HingeMotion):
+        body = _with_mass(shape)
+    else:
+        body = _as_given(shape)
+    return body._replace(number=float(number))
+
+
+# -- as prescribed --------------------------------------------------------------------------------
+
+
+def _as_given(shape: MovingShape) -> MovingBody:
+    motion = shape.motion
+    origin = shape.solids[0].centre if motion.about is None else np.array(motion.about)
+    if motion.about is None and (known := mass_properties(shape.solids)) is not None:
+        origin = known.centre if math.isfinite(known.volume) else origin
+    reach, path = _reach(shape.solids, origin), _path(motion, Vec(*origin.tolist()))
+    turns = path.turning or path.swing or (isinstance(motion, TableMotion) and motion.angle)
+    if reach >= ENDLESS and turns:
+        raise problem("cannot turn an obstacle without end")
+    return _NOTHING._replace(
+        scene=_scene_about(shape, origin).table, kind=GIVEN, axis=_unit(motion.axis), path=path,
+        reach=reach,
+    )  # fmt: skip
+
+
+def _path(motion: ConstantMotion | SineMotion | TableMotion, start: Vec) -> GivenPath:
+    path = _NOTHING.path._replace(start=start)
+    if isinstance(motion, ConstantMotion):
+        return path._replace(velocity=Vec(*motion.velocity), turning=motion.turning)
+    if isinstance(motion, SineMotion):
+        rate = 2.0 * math.pi * motion.frequency
+        return path._replace(
+            amplitude=Vec(*motion.amplitude), swing=motion.swing, rate=rate, phase=motion.phase
+        )
+    return path._replace(table=_spline(motion))
+
+
+def _spline(motion: TableMotion) -> NumberTable:
+    """Table of natural cubic splines; see `springback.contact.moving.bodies.spline_point`."""
+    count = len(motion.time)
+    values = np.zeros((count, 4))
+    if motion.position is not None:
+        values[:, :3] = motion.position
+    if motion.angle is not None:
+        values[:, 3] = motion.angle
+    spline = scipy.interpolate.CubicSpline(motion.time, values, bc_type="clamped")
+    pieces = np.moveaxis(spline.c, 0, 2)  # (piece, channel, coefficient)
+    return NumberTable(np.concatenate([[float(count)], motion.time, pieces.ravel()]))
+
+
+# -- with mass ------------------------------------------------------------------------------------
+
+
+def _with_mass(shape: MovingShape) -> MovingBody:
+    motion = shape.motion
+    known = None if _is_endless(shape.solids) else mass_properties(shape.solids)
+    if _is_endless(shape.solids):
+        raise problem("needs an obstacle with an end, whose mass is known", "type")
+    if known is None and motion.inertia is None:
+        raise problem("is missing; that of this shape is not known", "inertia")
+    origin = shape.solids[0].centre if known is None else known.centre
+    if motion.inertia is not None:
+        a, b, c = motion.inertia
+        if max(a, b, c) > a + b + c - max(a, b, c):
+            raise problem(
+                "must have no moment larger than the sum of the two others (got "
+                f"{a:g}, {b:g} and {c:g} kg m²)",
+                "inertia",
+            )
+        inertia = np.diag(motion.inertia)
+    else:
+        assert known is not None
+        inertia = motion.mass / known.volume * known.inertia
+    reach = _reach(shape.solids, origin)
+    body = _NOTHING._replace(
+        scene=_scene_about(shape, origin).table, mass=motion.mass, reach=reach,
+        points=NumberTable(_points(shape.solids, origin)),
+    )  # fmt: skip
+    if isinstance(motion, FreeMotion):
+        return _free(body, motion, origin, inertia)
+    return _pivoted(body, motion, origin, inertia)
+
+
+def _matrix(rows: Array) -> Mat3:
+    return Mat3(*(Vec(*row) for row in rows.tolist()))
+
+
+def _free(body: MovingBody, motion: FreeMotion, origin: Array, inertia: Array) -> MovingBody:
+    inverse = np.linalg.inv(inertia)
+    give = 1.0 / motion.mass + body.reach**2 * float(np.linalg.norm(inverse, 2))
+    return body._replace(
+        kind=FREE, inertia=_matrix(inertia), inverse=_matrix(inverse), mobility=give,
+        start=_state(
+            position=Vec(*origin.tolist()), velocity=Vec(*motion.velocity),
+            angular_velocity=Vec(*motion.angular_velocity),
+        ),
+    )  # fmt: skip
+
+
+def _pivoted(
+    body: MovingBody, motion: PendulumMotion | HingeMotion, origin: Array, inertia: Array
+) -> MovingBody:
+    lever = origin - np.array(motion.pivot)
+    about = inertia + motion.mass * (lever @ lever * np.eye(3) - np.outer(lever, lever))
+    inverse = np.linalg.inv(about)
+    far = (body.reach + float(np.linalg.norm(lever))) ** 2
+    turned = body._replace(
+        kind=PIVOTED, inertia=_matrix(about), inverse=_matrix(inverse), damping=motion.damping,
+        pivot=Vec(*motion.pivot), lever=Vec(*lever.tolist()),
+        mobility=far * float(np.linalg.norm(inverse, 2)),
+    )  # fmt: skip
+    if isinstance(motion, PendulumMotion):
+        if not lever @ lever > 0.0:
+            raise problem("must not be the centre of mass", "pivot")
+        return turned._replace(start=_state(angular_velocity=Vec(*motion.angular_velocity)))
+    axis = _unit(motion.axis)
+    around = float(np.array(axis) @ about @ np.array(axis))
+    return turned._replace(
+        kind=HINGED, axis=axis, closer=motion.closer, rest=motion.rest, lowest=motion.lowest,
+        highest=motion.highest, stop=motion.stop_stiffness, mobility=far / around,
+        start=_state(angular_velocity=motion.turning * axis),
+    )  # fmt: skip
+
+
+def _unit(direction: Sequence[float]) -> Vec:
+    length = math.hypot(*direction)
+    return Vec(*(part / length for part in direction))
+
+
+def _is_endless(solids: Sequence[SolidShape]) -> bool:
+    return any(s.kind == HALF_SPACE or max(s.sizes) >= ENDLESS for s in solids)
+
+
+def _reach(solids: Sequence[SolidShape], origin: Array) -> float:
+    """Distance of the farthest point from the origin [m]; `ENDLESS` or more without an end."""
+    far = []
+    for solid in solids:
+        if solid.kind == HALF_SPACE:
+            return 1e3 * ENDLESS
+        half = Solid(*solid, 0, 0.0, 0).half_lengths()
+        far.append(float(np.linalg.norm(solid.centre - origin)) + math.hypot(*half))
+    return max(far)
+
+
+def _points(solids: Sequence[SolidShape], origin: Array) -> Array:
+    """Spheres with which a body touches the world, in its own axes: their number, x, y, z, r."""
+    found = [point for solid in solids for point in _points_of(solid)]
+    places = np.array([point[:3] for point in found]) - origin
+    spheres = np.column_stack([places, [point[3] for point in found]])
+    spheres = np.unique(np.round(spheres, 12), axis=0)
+    if len(spheres) > MOST_POINTS:  # the outermost of many
+        hull = scipy.spatial.ConvexHull(spheres[:, :3]).vertices
+        far = np.linalg.norm(spheres[hull, :3], axis=1)
+        spheres = spheres[hull[np.argsort(-far, kind="stable")[:MOST_POINTS]]]
+    return np.concatenate([[float(len(spheres))], spheres.ravel()])
+
+
+def _points_of(solid: SolidShape) -> list[tuple[float, ...]]:
+    s, edge, radius = solid.sizes, solid.rounding, solid.rounding
+    ring = [(math.cos(a), math.sin(a)) for a in 2.0 * math.pi / RIM * np.arange(RIM)]
+    if solid.kind == CAPSULE:
+        own, radius = [(0.0, 0.0, s[0]), (0.0, 0.0, -s[0])], s[1]
+    elif solid.kind == FRUSTUM:
+        rims = ((s[0], -s[2]), (s[1], s[2]))
+        own = [(r * x, r * y, z) for r, z in rims for x, y in ring]
+    elif solid.kind == TORUS:
+        own, radius = [(s[0] * x, s[0] * y, 0.0) for x, y in ring], s[1] + edge
+    else:
+        signs = (-1.0, 1.0)
+        own = [(a * s[0], b * s[1], c * s[2]) for a in signs for b in signs for c in signs]
+    places = solid.centre + np.array(own) @ solid.axes
+    return [(*place, radius) for place in places.tolist()]

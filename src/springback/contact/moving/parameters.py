@@ -1,0 +1,160 @@
+"""Motions of obstacles: validated user input."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Literal
+
+from pydantic import Field, model_validator
+
+from springback.quantities import Angle, Mass, Triple, Unit
+from springback.settings import Settings, problem
+
+Place = Annotated[Triple, Unit("m")]
+Direction = Annotated[Triple, Unit("")]
+Velocity = Annotated[Triple, Unit("m/s")]
+Spin = Annotated[Triple, Unit("rad/s")]
+Turning = Annotated[float, Unit("rad/s")]
+Inertia = Annotated[Triple, Unit("kg m^2", above=0.0)]
+AngularStiffness = Annotated[float, Unit("N m/rad", least=0.0)]
+AngularDamping = Annotated[float, Unit("N m s/rad", least=0.0)]
+Instants = Annotated[tuple[Annotated[float, Unit("s")], ...], Field(min_length=2)]
+Places = tuple[Annotated[Triple, Unit("m")], ...]
+Angles = tuple[Angle, ...]
+
+#: Stiffness of the stops of a hinge [N m/rad] (chosen: a door that is stopped within a degree).
+STOP = 500.0
+NOWHERE = (0.0, 0.0, 0.0)
+
+
+class _GivenMotion(Settings):
+    """What prescribed motions have: the obstacle moves as told, whatever hits it."""
+
+    axis: Direction = (0.0, 0.0, 1.0)
+    """About which it turns, of any length; upwards unless it is given."""
+    about: Place | None = None
+    """Point of the obstacle about which it turns; its centre unless it is given."""
+
+    @model_validator(mode="after")
+    def _has_direction(self) -> _GivenMotion:
+        if not math.hypot(*self.axis) > 0.0:
+            raise problem("must not be zero", "axis")
+        return self
+
+
+class ConstantMotion(_GivenMotion):
+    """Constant velocity and turning."""
+
+    type: Literal["constant"]
+    velocity: Velocity = NOWHERE
+    turning: Turning = 0.0
+    """Angular speed about `axis`, right-handed."""
+
+
+class SineMotion(_GivenMotion):
+    """A sine: x = amplitude · sin(2π f t + φ) beside the place that is given, and θ likewise."""
+
+    type: Literal["sine"]
+    amplitude: Place = NOWHERE
+    swing: Angle = 0.0
+    """Amplitude of the angle about `axis`."""
+    frequency: Annotated[float, Unit("Hz", above=0.0)]
+    phase: Angle = 0.0
+
+
+class TableMotion(_GivenMotion):
+    """A table of places and angles, joined by cubic splines; at rest before and after it."""
+
+    type: Literal["table"]
+    time: Instants
+    """Instants, in order."""
+    position: Places | None = None
+    """Displacement at each, from the place that is given [m]."""
+    angle: Angles | None = None
+    """Angle at each about `axis`."""
+
+    @model_validator(mode="after")
+    def _fits(self) -> TableMotion:
+        if any(later <= before for before, later in zip(self.time, self.time[1:], strict=False)):
+            raise problem("must increase from instant to instant", "time")
+        for name in ("position", "angle"):
+            given = getattr(self, name)
+            if given is not None and len(given) != len(self.time):
+                count = f"{len(self.time)} instants (got {len(given)})"
+                raise problem(f"must have an entry for each of {count}", name)
+        if self.position is None and self.angle is None:
+            raise problem("needs position, angle or both")
+        return self
+
+
+class _MassiveMotion(Settings):
+    """What obstacles with mass have; unless given, the inertia is that of uniform density."""
+
+    mass: Mass
+    inertia: Inertia | None = None
+    """About the centre of mass along the world's axes at the start, products zero; unless it is
+    given, that of uniform density."""
+
+
+class FreeMotion(_MassiveMotion):
+    """A free body: thrown, falling, or floating where there is no gravity."""
+
+    type: Literal["free"]
+    velocity: Velocity = NOWHERE
+    angular_velocity: Spin = NOWHERE
+    """World axes."""
+
+
+class PendulumMotion(_MassiveMotion):
+    """A body on a rod without mass that turns freely about a point: a hanging ball."""
+
+    type: Literal["pendulum"]
+    pivot: Place
+    angular_velocity: Spin = NOWHERE
+    """About the pivot, world axes."""
+    damping: AngularDamping = 0.0
+    """Of the pivot, against its angular velocity."""
+
+
+class HingeMotion(_MassiveMotion):
+    """A body on a hinge, with a closer: a door.
+
+    The closer is a torsion spring and damper, −k (θ − θ₀) − c θ̇.  Stops at both ends of the way
+    are stiff springs.  θ is 0 where the obstacle is placed, and within ±π.
+    """
+
+    type: Literal["hinge"]
+    pivot: Place
+    """A point of the hinge."""
+    axis: Direction = (0.0, 0.0, 1.0)
+    """Of the hinge, of any length; upwards unless it is given."""
+    turning: Turning = 0.0
+    """Angular speed at the start, about `axis`."""
+    closer: AngularStiffness = 0.0
+    damping: AngularDamping = 0.0
+    rest: Angle = 0.0
+    """Angle at which the closer is relaxed."""
+    lowest: Angle = -math.pi
+    """Angle of the stop against turning backwards."""
+    highest: Angle = math.pi
+    """Angle of the stop against turning forwards."""
+    stop_stiffness: AngularStiffness = STOP
+
+    @model_validator(mode="after")
+    def _is_a_hinge(self) -> HingeMotion:
+        if not math.hypot(*self.axis) > 0.0:
+            raise problem("must not be zero", "axis")
+        if not self.lowest <= 0.0 <= self.highest:
+            raise problem(
+                f"and highest must have 0, the angle at the start, between them (got "
+                f"{math.degrees(self.lowest):g} and {math.degrees(self.highest):g} deg)",
+                "lowest",
+            )
+        return self
+
+
+_Given = ConstantMotion | SineMotion | TableMotion
+_Massive = FreeMotion | PendulumMotion | HingeMotion
+#: Prescribed motions, and all.
+GivenMotions = Annotated[_Given, Field(discriminator="type")]
+MotionSettings = Annotated[_Given | _Massive, Field(discriminator="type")]
