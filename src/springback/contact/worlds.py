@@ -93,6 +93,21 @@ def obstacles(
     )
 
 
+def alone(entry: BuiltIn, number: int) -> SolidScene | MovingScene:
+    """World of one of the obstacles of another, as a scene.
+
+    Args:
+        entry: The obstacle.
+        number: Its number in the other world, from 0.
+    """
+    built = obstacles((entry,), as_scene=True)
+    assert isinstance(built, SolidScene | MovingScene)
+    if isinstance(built, SolidScene):
+        return built
+    [body] = built.bodies
+    return built._replace(bodies=(body._replace(obstacle=float(number)),))
+
+
 def _moves(entry: BuiltIn) -> bool:
     return getattr(entry, "motion", None) is not None
 
@@ -108,8 +123,7 @@ def _moving_scene(settings: Sequence[BuiltIn], own: Sequence[Own]) -> MovingScen
     for k, entry in enumerate(settings):
         if isinstance(entry, Wall | ShapeSettings) and _moves(entry):
             surface = entry.surface.surface(AnyExponent, by_number=True)
-            place = f"world.obstacles[{k}]"
-            moving.append(MovingShape(_solids_alone(entry), surface, entry.motion, place))
+            moving.append(MovingShape(_solids_alone(entry), surface, entry.motion, k))
     return moving_scene(still, moving)
 
 

@@ -25,6 +25,8 @@ class LedgerBalance(NamedTuple):
     start: Array  # mechanical energy at the start, gravity above the start [J]
     end: Array  # the same at the end [J]
     residual: Array  # unaccounted energy, as a share of the largest energy
+    driven: Array  # work of what moves obstacles as prescribed [J]
+    in_obstacles: Array  # taken by joints of obstacles and their contacts with the world [J]
     closes: Array  # True if that is within `TOLERANCE`, or `ROUNDING`
 
 
@@ -40,17 +42,18 @@ def ledger_balance(work: Any, before: Any, after: Any) -> LedgerBalance:
     """
     w, ground = work, before.gravity
     start, end = before.total - ground, after.total - ground
-    losses = w.arm + w.stop + w.contact + w.friction + w.settling + w.air
-    driven = np.zeros_like(start)
+    driven, in_obstacles = np.zeros_like(start), np.zeros_like(start)
     for body in w.bodies:
-        losses = losses + body.joint + body.contact + body.friction
+        in_obstacles = in_obstacles + body.joint + body.contact + body.friction
         driven = driven + body.driven
+    losses = w.arm + w.stop + w.contact + w.friction + w.settling + w.air + in_obstacles
     fallen = np.abs(after.gravity - ground)
-    energies = before.kinetic, after.kinetic, losses, np.abs(w.thrust), np.abs(w.air), fallen
-    energies = (*energies, np.abs(driven), np.abs(after.obstacles - before.obstacles))
+    moved = np.abs(after.obstacles - before.obstacles)
+    work_done = np.abs(w.thrust), np.abs(w.air), np.abs(driven)
+    energies = before.kinetic, after.kinetic, losses, fallen, moved, *work_done
     scale = reduce(np.maximum, energies)
     with np.errstate(divide="ignore", invalid="ignore"):
         left_over = end - start - w.thrust - driven + losses
         residual = np.where(scale > 0.0, left_over / scale, 0.0)
         closes = (np.abs(residual) <= TOLERANCE) | (np.abs(left_over) <= ROUNDING)
-    return LedgerBalance(start, end, residual, closes)
+    return LedgerBalance(start, end, residual, driven, in_obstacles, closes)

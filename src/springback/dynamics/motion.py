@@ -214,8 +214,7 @@ class ArmState(NamedTuple):
 def spring_damper_force(arm: Arm, length: float, rate: float) -> float:
     """Force of the Kelvin–Voigt arm, k_l (L − l) − b_l l̇: positive lengthens the arm [N].
 
-    The damper opposes l̇ (Rayleigh); the printed eq. (11) has the opposite sign, which
-    would add energy.
+    The damper opposes l̇ (Rayleigh); the sign printed in eq. (11) would add energy.
     """
     return arm.stiffness * (arm.length - length) - arm.damping * rate
 
@@ -392,9 +391,7 @@ def rates(plant: Plant, state: State, released: float) -> Rates:
 
 @kernel
 def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -> Rates:
-    """Rates as by `rates`, with contact off where not engaged.
-
-    See `springback.contact.cage.face_contact`.
+    """Rates as by `rates`, with contact off where not engaged: see `face_contact`.
 
     Args:
         plant: As for `rates`.
@@ -483,8 +480,8 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
     contact_rate = contact_rate_bound(
         contact.press, field_of(arms, "slide"), airframe.inverse_mass, inverse, reach(airframe)
     )
-    slip = math.sqrt(maximum(cage_slips + hull_slips))
-    limits = fold(with_body_rates, StepRates(friction_rate, contact_rate, slip), seen_bodies, ())
+    own = StepRates(friction_rate, contact_rate, math.sqrt(maximum(cage_slips + hull_slips)))
+    limits = fold(with_body_rates, own, seen_bodies, ())
     view = View(
         acceleration,
         solved.linear,

@@ -40,7 +40,7 @@ from springback.dynamics.crossing import NO_CROSSING, Crossing, crossing, sooner
 from springback.dynamics.touches import Reaction, is_in_contact
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.routines import number_at
-from springback.kernels.trees import replace, tree_map
+from springback.kernels.trees import fold, replace, select, tree_map
 from springback.kernels.vectors import Mat3, Quat, Vec, larger, norm, positive_part, quaternion_rate
 from springback.vehicle.state import ArmPose, BodyState, Sphere
 
@@ -68,12 +68,13 @@ class BodyView(NamedTuple):
     contact_rate: float  # upper bound on the rate of its contacts [1/s]
     friction_rate: float  # likewise of friction [1/s]
     slip_rate: float  # rate of change of its slips, over their regularised speed [1/s]
+    struck: float  # 1 while the vehicle touches it
     pose: BodyPose
 
 
 #: View of a moving obstacle that touches nothing.
 NO_VIEW = BodyView(
-    1e9, Crossing(NO_CROSSING, 1.0), 0.0, 0.0, 0.0, 0.0, 0.0,
+    1e9, Crossing(NO_CROSSING, 1.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     BodyPose(_NONE, Mat3(_NONE, _NONE, _NONE), _NONE, _NONE),
 )  # fmt: skip
 
@@ -292,7 +293,7 @@ def _body_rates(
     seen = BodyView(
         touch.gap, touch.crossing, touch.engaged, fastest_of_body(body, pose), contact_rate,
         (reaction.grip + touch.grip) * give, shaken * (reaction.per_speed + touch.per_speed),
-        pose,
+        1.0 if reaction.touches > 0.0 else 0.0, pose,
     )  # fmt: skip
     return BodyRates(_state_rate(body, state, a), work, seen)
 
@@ -336,6 +337,37 @@ def nearer(gap: float, body: BodyView) -> float:
 def faster(speed: float, body: BodyView) -> float:
     """Upper bound on the speed at which a part and a moving obstacle approach [m/s]."""
     return speed + body.fastest
+
+
+@kernel
+def struck_first(before: float, body: BodyView, first: bool) -> float:
+    """Flag of a moving obstacle, 1 if the first touch of the flight is with it."""
+    return select(first, body.struck, before)
+
+
+@kernel
+def _along(struck: float, body: BodyView, inward: Vec) -> float:
+    return struck * (body.pose.velocity @ inward)
+
+
+@kernel
+def _less(speed: float, obstacle: float) -> float:
+    return speed - obstacle
+
+
+@kernel
+def speed_beside(
+    speed: float, struck: tuple[float, ...], bodies: tuple[BodyView, ...], inward: Vec
+) -> float:
+    """Speed relative to the centre of the obstacle that is struck, along a direction [m/s].
+
+    Args:
+        speed: In the world [m/s].
+        struck: 1 for the obstacle that counts, 0 for others.
+        bodies: All moving obstacles.
+        inward: Unit vector, world.
+    """
+    return fold(_less, speed, tree_map(_along, (struck, bodies), (inward,)), ())
 
 
 @kernel

@@ -35,6 +35,7 @@ class Reaction(NamedTuple):
     damper: float  # of the normal forces [N s/m]
     grip: float  # friction as a damper [N s/m]
     per_speed: float  # of friction, 1/√(v² + v_s²), all together [s/m]
+    touches: float  # number of contacts
 
 
 class Contact(NamedTuple):
@@ -66,13 +67,14 @@ def _of_face(met: CageContact, motion: FaceMotion, number: float) -> Reaction:
     return Reaction(
         ours * touch.force, ours * touch.moment, ours * touch.press.stiffness,
         ours * touch.press.damper, ours * touch.grip.damper, ours * met.per_speed,
+        ours * is_in_contact(met),
     )  # fmt: skip
 
 
 @kernel
 def _of_contact(met: CageContact, number: float) -> Reaction:
     none = Vec(0.0, 0.0, 0.0)
-    start = Reaction(none, none, 0.0, 0.0, 0.0, 0.0)
+    start = Reaction(none, none, 0.0, 0.0, 0.0, 0.0, 0.0)
     return fold(_summed, start, met.moving, (met, number))
 
 

@@ -5,7 +5,10 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+import scipy  # submodules are loaded on first use
 
+from springback.contact.cage import moving_bodies
+from springback.contact.moving.bodies import ABSENT
 from springback.simulation.flight import FlightRecord, Trace
 from springback.simulation.thrusts import ThrustTable
 
@@ -38,12 +41,39 @@ def trajectory_columns(
     for name, source in rubbed.items():
         parts = np.stack([trace[f"{source}.{axis}"] for axis in "xyz"])
         columns[name], units[name] = np.linalg.norm(parts, axis=0), "N"
+    for number, body in enumerate(moving_bodies(flown.model.world.obstacles), start=1):
+        if body.kind != ABSENT:
+            moving = _body_columns(trace, f"bodies.{number}.pose", f"obstacle{int(body.obstacle)}_")
+            columns |= {name: column for name, (column, _) in moving.items()}
+            units |= {name: unit for name, (_, unit) in moving.items()}
     if thrusts is not None:
         given = {
             f"thrust{j}": row for j, row in zip(count, thrusts.at(columns["t"]).T, strict=True)
         }
         columns, units = columns | given, units | dict.fromkeys(given, "N")
     return columns, units
+
+
+def _body_columns(trace: Trace, source: str, stem: str) -> dict[str, tuple[Array, str]]:
+    """Pose and motion of a moving obstacle, with units; its angular velocity is in its own axes."""
+
+    def vectors(name: str) -> Array:
+        return np.stack([trace[f"{source}.{name}.{axis}"] for axis in "xyz"], axis=-1)
+
+    r = np.stack([vectors(f"r.{row}") for row in "xyz"], axis=1)
+    turn = scipy.spatial.transform.Rotation.from_matrix(r)
+    spin = np.einsum("tji,tj->ti", r, vectors("spin"))
+    parts = [
+        ("", "xyz", vectors("position"), "m"),
+        ("q", "wxyz", turn.as_quat(canonical=True, scalar_first=True), ""),
+        ("v", "xyz", vectors("velocity"), "m/s"),
+        ("w", "xyz", spin, "rad/s"),
+    ]
+    return {
+        f"{stem}{name}{axis}": (np.ascontiguousarray(values[:, k]), unit)
+        for name, axes, values, unit in parts
+        for k, axis in enumerate(axes)
+    }
 
 
 def work_columns(flown: FlightRecord) -> dict[str, Array]:

@@ -9,8 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from springback.contact.cage import moving_bodies
 from springback.results.flight import Flight, fly
 from springback.scenario.scenario import Scenario
+from springback.simulation.playback import load_history
+from springback.simulation.record import Model
 from springback.vehicle.state import Airframe, Arm
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -18,10 +21,17 @@ Columns = dict[str, Array]
 
 #: Columns of a ledger besides time: stored, then supplied, then lost energy [J].  They are named
 #: after the measures of their final values.
-HELD = ("energy_kinetic", "energy_gravity", "energy_springs", "energy_stops", "energy_contact")
+HELD = (
+    "energy_kinetic", "energy_gravity", "energy_springs", "energy_stops", "energy_obstacles",
+    "energy_contact",
+)  # fmt: skip
+SUPPLIED = ("work_thrust", "work_driven")
 LOST = (
     "loss_arm", "loss_contact", "loss_friction", "loss_stop", "loss_settling", "loss_air",
+    "loss_obstacles",
 )  # fmt: skip
+#: Losses of the vehicle itself are recorded under their own names.
+_OF_OBSTACLES = "loss_obstacles"
 
 
 def ledger(flight: Flight | Scenario) -> dict[str, Array]:
@@ -34,23 +44,48 @@ def ledger(flight: Flight | Scenario) -> dict[str, Array]:
 
     Returns:
         Columns of shape (instants,): ``t`` [s], the same as of the trajectory; stored energy
-        (`HELD`, gravity above the start), that supplied by the rotors (``work_thrust``) and that
-        lost (`LOST`), all in J since the start.
+        (`HELD`, gravity and obstacles above the start), that supplied by rotors and by what drives
+        obstacles (`SUPPLIED`), and that lost (`LOST`), all in J since the start.
     """
     if isinstance(flight, Scenario):
         flight = fly(flight)
     elif not flight.work:
         flight = fly(flight.scenario)
-    work, world = flight.work, flight.scenario.flight_model(flight.own)
+    work, model = flight.work, flight.scenario.flight_model(flight.own)
+    bodies = range(1, len(moving_bodies(model.world.obstacles)) + 1)
     columns = {"t": flight.t, "work_thrust": work["thrust"]}
-    columns |= {name: work[name.removeprefix("loss_")] for name in LOST}
-    columns |= _stored_energy(world.airframe, world.world.gravity, flight.columns)
-    # Contact energy is the remainder, as the ledger closes (tests/results/test_energy_history.py).
+    columns |= {name: work[name.removeprefix("loss_")] for name in LOST if name != _OF_OBSTACLES}
+    columns["work_driven"] = _all_together(work, [f"bodies.{k}.driven" for k in bodies])
+    of_obstacles = [f"bodies.{k}.{x}" for k in bodies for x in ("joint", "contact", "friction")]
+    columns[_OF_OBSTACLES] = _all_together(work, of_obstacles)
+    if bodies:
+        columns |= _evaluated(model, flight.columns)
+    else:
+        columns |= _stored_energy(model.airframe, model.world.gravity, flight.columns)
+        columns["energy_obstacles"] = np.zeros(len(flight.t))
+        columns["energy_contact"] = _remainder(columns, work)
+    return {name: columns[name] for name in ("t", *HELD, *SUPPLIED, *LOST)}
+
+
+def _all_together(work: Columns, names: list[str]) -> Array:
+    return sum((work[name] for name in names), np.zeros(len(work["thrust"])))
+
+
+def _evaluated(model: Model, c: Columns) -> Columns:
+    """Stored energies evaluated again by the kernels of the flight."""
+    held = load_history(model, c, np.arange(len(c["t"]))).energy
+    found = {f"energy_{name}": column for name, column in held.items()}
+    for name in ("energy_gravity", "energy_obstacles"):
+        found[name] = found[name] - found[name][0]
+    return found
+
+
+def _remainder(columns: Columns, work: Columns) -> Array:
+    """Contact energy: what is left, as the ledger closes (tests/results/test_energy_history.py)."""
     known = sum(columns[name] for name in HELD[:-1]) + sum(columns[name] for name in LOST)
     before = sum(float(columns[name][0]) for name in HELD[:-1])  # flights start without contact
     rest = np.maximum(before + columns["work_thrust"] - known, 0.0)
-    columns["energy_contact"] = np.where(work["touching"] > 0.0, rest, 0.0)
-    return {name: columns[name] for name in ("t", *HELD, "work_thrust", *LOST)}
+    return np.where(work["touching"] > 0.0, rest, 0.0)
 
 
 def _stored_energy(airframe: Airframe, gravity: float, c: Columns) -> dict[str, Array]:

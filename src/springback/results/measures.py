@@ -102,8 +102,12 @@ class FlightMeasures:
     """in end stops at the end [J]"""
     energy_contact: float | None
     """in contacts at the end [J]"""
+    energy_obstacles: float | None
+    """gained since the start by obstacles that move by themselves [J]"""
     work_thrust: float | None
     """done by the rotors [J]"""
+    work_driven: float | None
+    """done by what moves obstacles as prescribed [J]"""
     loss_arm: float | None
     """dissipated by arm dampers [J]"""
     loss_stop: float | None
@@ -116,6 +120,8 @@ class FlightMeasures:
     """lost when settled arms are locked again [J]"""
     loss_air: float | None
     """lost to the air; negative where wind does work [J]"""
+    loss_obstacles: float | None
+    """dissipated in joints of obstacles, and at their own contacts [J]"""
     ledger_residual: float | None
     """unaccounted energy, as a share of the largest energy"""
     ledger_open: float | None

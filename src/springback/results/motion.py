@@ -23,10 +23,11 @@ from springback.contact.cage import (
     per_face,
 )
 from springback.contact.hull_contact import hull_contact, hull_faces
+from springback.contact.moving.scene import MovingScene, exactly
 from springback.contact.parameters import faces
 from springback.contact.scene.faces import FACES, SolidScene
 from springback.contact.shapes import ShapeSettings
-from springback.contact.worlds import Own, obstacles
+from springback.contact.worlds import Own, alone
 from springback.dynamics.solution import Slider
 from springback.errors import InputError
 from springback.kernels.compiler import executor, kernel, user_executor
@@ -38,11 +39,11 @@ from springback.scenario.avionics import devices_of, normals_at_start, propulsio
 from springback.scenario.scenario import Scenario
 from springback.scenario.tables import UserShape
 from springback.sensing.sensors import sensors_at_start
-from springback.simulation.flight import Trace, own_types, sources, still_state
+from springback.simulation.flight import Trace, model_state, own_types, sources, still_state
 from springback.simulation.guided import ticks_of
 from springback.simulation.noise import noise_table
 from springback.simulation.onboard import Truth, sensor_step
-from springback.simulation.playback import Instant
+from springback.simulation.playback import Instant, states_at
 from springback.simulation.record import Model
 from springback.vehicle.rotors import lag_over
 from springback.vehicle.state import Arm, Sphere, State, arm_pose
@@ -236,11 +237,8 @@ class ContactHistory(NamedTuple):
 
 def contact_history(model: Model, flight: FlightResult) -> ContactHistory:
     """Contacts at the instants of the trajectory."""
-    arms = len(model.airframe.arms)
-    head = [*"xyz", *ATTITUDE, *(f"{kind}{a}" for kind in "vw" for a in "xyz")]
-    head += [f"{kind}{j}" for kind in ("l", "dl") for j in range(1, arms + 1)]
-    states = np.stack([flight.columns[name] for name in head], axis=1)
-    like = Instant(model.airframe, model.world, model.contact_point, still_state((0.0,) * arms))
+    arms, states = len(model.airframe.arms), states_at(model, flight.columns, slice(None))
+    like = Instant(model.airframe, model.world, model.contact_point, model_state(model))
     constants = np.array(leaves(like)[: -states.shape[1]])
     instants = np.hstack([np.broadcast_to(constants, (len(states), len(constants))), states])
     parts, obstacles = arms + len(model.airframe.hull), len(per_face(model.world.obstacles, 0.0))
@@ -372,12 +370,11 @@ def gaps(flight: FlightResult, obstacle: int | None = None, own: tuple[Own, ...]
         raise InputError("the world of this flight has no obstacles")
     if obstacle is not None and not 0 <= obstacle < count:
         raise InputError(f"obstacle: must be from 0 to {count - 1} (got {obstacle})")
-    if isinstance(model.world.obstacles, SolidScene):
+    if isinstance(model.world.obstacles, SolidScene | MovingScene):
+        there = model.world.obstacles
         if obstacle is not None and obstacle < known:
-            alone = obstacles((entries[obstacle],), as_scene=True)
-            model = model._replace(world=model.world._replace(obstacles=alone))
-        exact = model.world.obstacles._replace(exact=1.0)
-        model = model._replace(world=model.world._replace(obstacles=exact))
+            there = alone(entries[obstacle], obstacle)
+        model = model._replace(world=model.world._replace(obstacles=exactly(there)))
         seen = contact_history(model, flight).gaps
         if obstacle is not None and obstacle >= known:
             seen = seen[:, :, FACES + obstacle - known :][:, :, :1]

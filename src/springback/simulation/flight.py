@@ -11,7 +11,7 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from springback.contact.cage import per_face
+from springback.contact.cage import moving_bodies, per_face
 from springback.dynamics.crossing import Crossing
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import ArmView, HullView, Motion, View, Work
@@ -108,6 +108,12 @@ def still_state(arm_lengths: Sequence[float]) -> State:
     """State at the origin, level, at rest, with arms of the given lengths [m]."""
     zero, lengths = Vec(0.0, 0.0, 0.0), tuple(float(x) for x in arm_lengths)
     return State(zero, Quat(1.0, 0.0, 0.0, 0.0), zero, zero, lengths, (0.0,) * len(lengths))
+
+
+def model_state(model: Model) -> State:
+    """State of the structure that a model's flights have, at rest at the origin."""
+    bodies = tuple(body.start for body in moving_bodies(model.world.obstacles))
+    return still_state([0.0] * len(model.airframe.arms))._replace(bodies=bodies)
 
 
 def flight_buffers(

@@ -18,17 +18,19 @@ from springback.contact.cage import (
     body_motion,
     contact_faces,
     face_contact,
+    moving_bodies,
     obstacles_in_body_frame,
     obstacles_now,
 )
 from springback.contact.hull_contact import hull_contact, hull_faces
+from springback.contact.moving.bodies import ABSENT, GIVEN, MovingBody
 from springback.contact.obstacles import World
 from springback.dynamics.energy import Energy, energy
 from springback.kernels.compiler import executor, kernel, user_executor
 from springback.kernels.layout import Buffer, TreeLayout, read, write
 from springback.kernels.trees import leaves, tree_map, tree_sum
-from springback.kernels.vectors import Quat, Vec
-from springback.simulation.flight import own_types, sources
+from springback.kernels.vectors import Vec
+from springback.simulation.flight import model_state, own_types, sources
 from springback.simulation.record import Model
 from springback.vehicle.state import Airframe, Arm, Sphere, State, arm_pose
 
@@ -140,11 +142,36 @@ class LoadHistory(NamedTuple):
     energy: dict[str, Array]  # `Energy` by name [J], each of shape (instants,)
 
 
-def _states(columns: Mapping[str, Array], arms: int, places: Places) -> Array:
-    """Leaves of `State`, one row for each instant."""
+def states_at(model: Model, columns: Mapping[str, Array], places: Places | slice) -> Array:
+    """Leaves of `State` at some instants of a trajectory, one row for each.
+
+    Args:
+        model: Of the flight.
+        columns: Its trajectory.
+        places: Rows of the instants.
+    """
     names = [*"xyz", *(f"q{p}" for p in "wxyz"), *(f"v{a}" for a in "xyz"), *("wx", "wy", "wz")]
-    names += [f"{kind}{j}" for kind in ("l", "dl") for j in range(1, arms + 1)]
-    return np.stack([columns[name][places] for name in names], axis=1)
+    count = range(1, len(model.airframe.arms) + 1)
+    names += [f"{kind}{j}" for kind in ("l", "dl") for j in count]
+    states = np.stack([columns[name][places] for name in names], axis=1)
+    bodies = moving_bodies(model.world.obstacles)
+    moving = [_body_states(body, columns, places, len(states)) for body in bodies]
+    return np.concatenate([states, *moving], axis=1)
+
+
+def _body_states(
+    body: MovingBody, columns: Mapping[str, Array], places: Places | slice, count: int
+) -> Array:
+    """Leaves of `springback.vehicle.state.BodyState`, one row for each instant."""
+    states = np.zeros((count, 13))
+    states[:, 3] = 1.0
+    if body.kind == GIVEN:
+        states[:, 0] = columns["t"][places]
+    elif body.kind != ABSENT:
+        stem = f"obstacle{int(body.obstacle)}_"
+        names = [*"xyz", "qw", "qx", "qy", "qz", "vx", "vy", "vz", "wx", "wy", "wz"]
+        states[:] = np.stack([columns[stem + name][places] for name in names], axis=1)
+    return states
 
 
 def load_history(model: Model, columns: Mapping[str, Array], places: Places) -> LoadHistory:
@@ -156,9 +183,7 @@ def load_history(model: Model, columns: Mapping[str, Array], places: Places) -> 
         places: Rows of the instants.
     """
     arms = len(model.airframe.arms)
-    states = _states(columns, arms, places)
-    zero, lengths = Vec(0.0, 0.0, 0.0), (0.0,) * arms
-    still = State(zero, Quat(1.0, 0.0, 0.0, 0.0), zero, zero, lengths, lengths)
+    states, still = states_at(model, columns, places), model_state(model)
     asked = Instant(model.airframe, model.world, model.contact_point, still)
     constants = np.array(leaves(asked)[: -states.shape[1]])
     instants = np.concatenate(

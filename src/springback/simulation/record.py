@@ -12,7 +12,7 @@ from springback.contact.obstacles import World
 from springback.dynamics.clearance import clearance
 from springback.dynamics.crossing import crossing, sooner, soonest, time_to
 from springback.dynamics.motion import LANDED, ArmView, Engaged, Motion, View
-from springback.dynamics.moving_obstacles import faster, nearer
+from springback.dynamics.moving_obstacles import faster, nearer, speed_beside, struck_first
 from springback.dynamics.rigid import RigidRates, RigidState
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import field_of, fold, maximum, minimum, replace, select, tree_map
@@ -37,8 +37,8 @@ NOTHING, LOCK_ARMS, APPLY_IMPULSE = 0.0, 1.0, 2.0
 #: body, far from everything; or undecided until the clearance is checked.
 STEERED, CRUISING, MAY_LOOK = 0.0, 1.0, 2.0
 
-#: A step is at most this many times the time in which friction stops a cage (chosen; the method is
-#: stable up to 2.785, and at 2.25 the energy ledger of hard impacts is twice as far off).
+#: A step is at most this many times the time in which friction stops a cage (chosen: stable up to
+#: 2.785, and at 2.25 the energy ledger of hard impacts is twice as far off).
 FRICTION_SHARE = 2.0
 #: A step is at most this share of the time scale of contacts and end stops, 1/(ω + 2 ζ ω) ...
 CONTACT_SHARE = 0.35
@@ -120,14 +120,15 @@ class FirstImpact(NamedTuple):
     inward: Vec  # normal n into the obstacle at first touch, world
     touch_time: float  # [s]
     touch_depth: float  # n · p of the main body at first touch [m]
-    touch_speed: float  # n · v of the main body [m/s]
-    touch_mass_centre_speed: float  # n · v of the centre of mass [m/s]
+    touch_speed: float  # n · v of the main body, relative to the centre of what it strikes [m/s]
+    touch_mass_centre_speed: float  # n · v of the centre of mass, likewise [m/s]
     separation_time: float  # last separation [s]
-    separation_speed: float  # n · v of the main body [m/s]
-    separation_mass_centre_speed: float  # n · v of the centre of mass [m/s]
+    separation_speed: float  # n · v of the main body, likewise [m/s]
+    separation_mass_centre_speed: float  # n · v of the centre of mass, likewise [m/s]
     return_time: float  # the main body is back at n · p of first touch [s]
     return_speed: float  # n · v of the main body [m/s]
     travel: float  # largest n · p less its value at first touch, until the last separation [m]
+    struck: tuple[float, ...] = ()  # 1 for each moving obstacle that it touches first
 
 
 class Record(NamedTuple):
@@ -153,7 +154,18 @@ def blank_record(
         Stepping(0.0, 0.0, FLYING, FREE_FLIGHT, NOTHING, MAY_LOOK, 0.0, 0.0),
         Contacts(0.0, 0.0, engaged, none, hull, 0.0, 0.0, never, 0.0, never, never),
         FirstImpact(
-            Vec(0.0, 0.0, 0.0), never, 0.0, 0.0, 0.0, never, 0.0, 0.0, never, 0.0, travel=0.0
+            Vec(0.0, 0.0, 0.0),
+            never,
+            0.0,
+            0.0,
+            0.0,
+            never,
+            0.0,
+            0.0,
+            never,
+            0.0,
+            0.0,
+            (0.0,) * body_count,
         ),
         peaks,
         peaks._replace(acceleration_time=never),
@@ -256,12 +268,7 @@ def awaits_return(impacts: float, first: FirstImpact) -> bool:
 
 @kernel
 def is_quiet(
-    timing: Timing,
-    touching: float,
-    phase: float,
-    impact_open: float,
-    ahead: bool,
-    bodies: tuple[Any, ...],
+    timing: Timing, touching: float, phase: float, impact_open: float, ahead: bool, bodies: Any
 ) -> bool:
     """True if a step as one rigid body misses no event; never where obstacles move."""
     still = (touching == 0.0) & (phase == FREE_FLIGHT) & (impact_open == 0.0)
@@ -372,7 +379,9 @@ def _first_impact_after(state: State, view: View, m: Record, at: Situation) -> F
     length = norm(view.touched)
     inward = select(first, view.touched * (1.0 / select(length > 0.0, length, 1.0)), before.inward)
     depth, speed = inward @ state.position, inward @ state.velocity
-    centre_speed = inward @ view.mass_centre_velocity
+    struck = tree_map(struck_first, (before.struck, view.bodies), (first,))
+    closing = speed_beside(speed, struck, view.bodies, inward)
+    centre_speed = speed_beside(inward @ view.mass_centre_velocity, struck, view.bodies, inward)
     touch_depth = select(first, depth, before.touch_depth)
     of_first = (at.impacts == 1.0) & (at.impact_open > 0.0)
     leaves = at.ended & of_first
@@ -383,16 +392,17 @@ def _first_impact_after(state: State, view: View, m: Record, at: Situation) -> F
         inward=inward,
         touch_time=select(first, time, before.touch_time),
         touch_depth=touch_depth,
-        touch_speed=select(first, speed, before.touch_speed),
+        touch_speed=select(first, closing, before.touch_speed),
         touch_mass_centre_speed=select(first, centre_speed, before.touch_mass_centre_speed),
         separation_time=select(leaves, time, before.separation_time),
-        separation_speed=select(leaves, speed, before.separation_speed),
+        separation_speed=select(leaves, closing, before.separation_speed),
         separation_mass_centre_speed=select(
             leaves, centre_speed, before.separation_mass_centre_speed
         ),
         return_time=select(returns, time, before.return_time),
         return_speed=select(returns, speed, before.return_speed),
         travel=largest_so_far(goes_on, depth - touch_depth, before.travel),
+        struck=struck,
     )
 
 
@@ -421,7 +431,7 @@ def _time_to_crossing(
 def _stepping_after(
     model: Model, state: State, view: View, m: Record, at: Situation, first: FirstImpact
 ) -> Stepping:
-    """Next step and its kind; ``first`` is the first impact after this instant."""
+    """Next step and its kind; ``first`` is after this instant."""
     timing, now, phase = model.timing, m.stepping, at.phase
     ahead = awaits_return(at.impacts, m.first_impact)
     time_to_crossing = _time_to_crossing(timing, state, view, first, ahead)
@@ -434,8 +444,7 @@ def _stepping_after(
     fastest = fastest_point(model.airframe, state.velocity, state.angular_velocity)
     near = minimum(field_of(view.arms, "gap") + field_of(view.hull, "gap"))
     near = fold(nearer, near, view.bodies, ())
-    haste = fold(faster, fastest_cage(model.airframe, state), view.bodies, ())
-    haste = larger(haste, TINY)
+    haste = larger(fold(faster, fastest_cage(model.airframe, state), view.bodies, ()), TINY)
     stiff = larger(view.contact_rate * PER_CONTACT_SHARE, view.slip_rate * PER_SLIP_SHARE)
     stiff = larger(larger(stiff, view.friction_rate * PER_FRICTION_SHARE), 1.0)
     both = 1.0 / (haste * stiff)  # one division for two

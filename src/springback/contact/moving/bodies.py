@@ -52,6 +52,7 @@ class MovingBody(NamedTuple):
     scene: float  # address of the table of its solids, in its own axes
     kind: float  # of motion
     number: float  # from 0
+    obstacle: float  # number of the obstacle in the world, from 0; −1 if absent
     mass: float  # [kg]
     inertia: Mat3  # about its centre of mass, or about its pivot; its own axes [kg m²]
     inverse: Mat3  # of that [1/(kg m²)]

@@ -56,7 +56,7 @@ class MovingShape(NamedTuple):
     solids: list[SolidShape]
     surface: Surface
     motion: Any
-    place: str  # key of its table, such as ``world.obstacles[2]``
+    obstacle: int  # its number in the world, from 0
 
 
 def moving_scene(still: SolidScene, moving: Sequence[MovingShape]) -> MovingScene:
@@ -69,7 +69,7 @@ def moving_scene(still: SolidScene, moving: Sequence[MovingShape]) -> MovingScen
         raise problem(f"hold {len(moving)} that move; the most is {COUNTS[-1]}", "world.obstacles")
     bodies = []
     for number, shape in enumerate(moving):
-        with naming(f"{shape.place}.motion"):
+        with naming(f"world.obstacles[{shape.obstacle}].motion"):
             bodies.append(_body(number, shape))
     count = next(count for count in COUNTS if count >= len(bodies))
     bodies += [_absent(number) for number in range(len(bodies), count)]
@@ -89,7 +89,7 @@ def _state(**known: Any) -> BodyState:
 
 #: An obstacle that does nothing.
 _NOTHING = MovingBody(
-    0.0, ABSENT, 0.0, 1.0, Mat3(_NONE, _NONE, _NONE), Mat3(_NONE, _NONE, _NONE), _NONE, _NONE,
+    0.0, ABSENT, 0.0, -1.0, 1.0, Mat3(_NONE, _NONE, _NONE), Mat3(_NONE, _NONE, _NONE), _NONE, _NONE,
     Vec(0.0, 0.0, 1.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     GivenPath(_NONE, _NONE, _NONE, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0, _state(),
 )  # fmt: skip
@@ -107,7 +107,7 @@ def _body(number: int, shape: MovingShape) -> MovingBody:
         body = _with_mass(shape)
     else:
         body = _as_given(shape)
-    return body._replace(number=float(number))
+    return body._replace(number=float(number), obstacle=float(shape.obstacle))
 
 
 # -- as prescribed --------------------------------------------------------------------------------
@@ -186,7 +186,7 @@ def _with_mass(shape: MovingShape) -> MovingBody:
     return _pivoted(body, motion, origin, inertia)
 
 
-def _matrix(rows: Array) -> Mat3:
+def _matrix(rows: Any) -> Mat3:
     return Mat3(*(Vec(*row) for row in rows.tolist()))
 
 

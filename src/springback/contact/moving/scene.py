@@ -131,6 +131,13 @@ def faces_of_body(s: Search) -> ThreeFaces:
 MOVING_FACES = Routine(faces_of_body, Search(blank_part(), _at_rest(), no_moving_faces()))
 
 
+def exactly(scene: SolidScene | MovingScene) -> SolidScene | MovingScene:
+    """A world of which gaps are exact at any distance."""
+    if isinstance(scene, MovingScene):
+        return scene._replace(still=scene.still._replace(exact=1.0))
+    return scene._replace(exact=1.0)
+
+
 @obstacles_now.register(MovingScene)
 @kernel
 def _moving_now(scene: MovingScene, bodies: tuple[BodyState, ...]) -> PlacedScene:
