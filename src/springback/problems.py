@@ -29,6 +29,7 @@ _KINDS = {
         "forest",
         "own",
     ),
+    "motion": ("constant", "sine", "table", "free", "pendulum", "hinge"),
     "reference": ("hold", "steps", "circle", "waypoints", "run-up"),
 }
 

@@ -8,16 +8,17 @@ from typing import Any
 
 import numpy as np
 import pytest
+import scipy
 
 from builders.cases import nonempty
 from springback.batch.scenarios import fly_scenarios
 from springback.dynamics.energy import angular_momentum
-from springback.kernels.vectors import Quat, Vec
+from springback.kernels.vectors import Quat, Vec, rotation
 from springback.results.flight import fly
 from springback.scenario.scenario import scenario_from
 from springback.vehicle.state import State
 
-SURFACE = {"law": "hunt-crossley", "stiffness": 2e4, "dissipation": 0.3, "friction": 0.5}
+SURFACE = {"law": "hunt-crossley", "stiffness": 4e5, "dissipation": 0.3, "friction": 0.5}
 BALL = {"type": "sphere", "radius": 0.12, "surface": SURFACE}
 
 
@@ -41,7 +42,9 @@ def ball(at: Any, **motion: Any) -> dict[str, Any]:
 
 def thrown(**motion: Any) -> dict[str, Any]:
     """A ball that flies past the nose of the vehicle, and strikes the cages to the left of it."""
-    return ball((0.5, 0.06, 0.02), type="free", **{"mass": 0.4, "velocity": [-3.0, 0.0, 0.0]} | motion)
+    return ball(
+        (0.5, 0.06, 0.02), type="free", **{"mass": 0.4, "velocity": [-3.0, 0.0, 0.0]} | motion
+    )
 
 
 def vector(columns: Any, stem: str, row: int, axes: str = "xyz") -> Any:
@@ -85,8 +88,6 @@ def test_what_the_vehicle_gains_the_ball_loses() -> None:
 
 def arms_centre(airframe: Any, state: Any) -> Any:
     """Centre of mass of a vehicle, from the main body, world [m]."""
-    from springback.kernels.vectors import rotation
-
     first = sum(
         arm.mass * length * np.array([arm.cosine, arm.sine, 0.0])
         for arm, length in zip(airframe.arms, state.arm_length, strict=True)
@@ -96,8 +97,6 @@ def arms_centre(airframe: Any, state: Any) -> Any:
 
 def rotated(c: Any, row: int, own: Any) -> Any:
     """A vector in the ball's axes, in world axes."""
-    from springback.kernels.vectors import rotation
-
     return np.array(rotation(Quat(*vector(c, "obstacle0_q", row, "wxyz").tolist()))) @ own
 
 
@@ -116,22 +115,24 @@ MOTIONS: dict[str, dict[str, Any]] = {
 }  # fmt: skip
 HITTERS: dict[str, dict[str, Any]] = {
     "sphere": {"type": "sphere", "position": [0.43, 0.0, 0.02], "radius": 0.1},
-    "box": {"type": "box", "position": [0.43, 0.0, 0.02], "size": [0.2, 0.3, 0.4], "yaw": 0.3},
+    "box": {"type": "box", "position": [0.43, 0.0, 0.02], "size": [0.2, 0.3, 0.4], "yaw": 0.3,
+            "edge_radius": 0.02},
     "capsule": {"type": "capsule", "start": [0.36, -0.2, 0.0], "end": [0.36, 0.3, 0.1], "radius": 0.03},
     "pole": {"type": "pole", "position": [0.42, 0.0, -0.3], "radius": 0.08, "height": 0.6},
     "cone": {"type": "cone", "position": [0.46, 0.0, -0.1], "radius": 0.15, "height": 0.4},
     "hoop": {"type": "hoop", "position": [0.38, 0.0, 0.0], "radius": 0.25, "tube_radius": 0.02},
     "window": {"type": "window", "position": [0.4, 0.0, 0.0], "size": [0.8, 0.8],
                "opening": [0.3, 0.3], "thickness": 0.05},
-    "edge": {"type": "edge", "position": [0.33, 0.0, 0.0], "length": 0.5, "width": 0.2},
-    "stairs": {"type": "stairs", "position": [0.34, 0.0, -0.3], "steps": 4},
-    "doorway": {"type": "doorway", "position": [0.4, 0.0, -0.5], "size": [0.9, 1.2],
-                "opening": [0.3, 1.0], "thickness": 0.05},
+    "edge": {"type": "edge", "position": [0.33, 0.0, 0.0], "length": 0.5, "width": 0.2,
+             "edge_radius": 0.02},
+    "stairs": {"type": "stairs", "position": [0.34, 0.0, -0.3], "steps": 4,
+               "edge_radius": 0.02},
+    "doorway": {"type": "doorway", "position": [0.4, 0.0, -0.38], "size": [0.9, 1.0],
+                "opening": [0.3, 0.8], "thickness": 0.05},
 }  # fmt: skip
 GROUND = {"type": "ground", "height": -0.4, "surface": SURFACE}
 PAIRS = [
-    (shape, motion, k)
-    for k, (shape, motion) in enumerate(itertools.product(HITTERS, MOTIONS))
+    (shape, motion, k) for k, (shape, motion) in enumerate(itertools.product(HITTERS, MOTIONS))
 ]
 
 
@@ -146,18 +147,24 @@ def test_every_shape_moves_in_every_way(shape: str) -> None:
             trajectory=False,
         )
         m = flight.measures
-        assert abs(m["ledger_residual"]) < 3e-6, (name, motion, k)
+        # Of the default steps; at edges of small radius as for the same shapes at rest.
+        assert abs(m["ledger_residual"]) < 2e-5, (name, motion, k)
         touched += m["contacts"] > 0.0
     assert touched >= 4
 
 
 def test_a_moving_wall_is_a_wall_at_rest_in_the_moving_frame() -> None:
     """All positions relative to it are the same, and what drives it puts in the difference."""
-    wall = {"type": "wall", "position": [0.4, 0.0, 0.0], "normal": [-1.0, 0.2, 0.1], "surface": SURFACE}
+    wall = {
+        "type": "wall",
+        "position": [0.4, 0.0, 0.0],
+        "normal": [-1.0, 0.2, 0.1],
+        "surface": SURFACE,
+    }
     drift = [-1.5, 0.4, 0.2]
     moving = fly(tables({**wall, "motion": {"type": "constant", "velocity": drift}},
-                        velocity=(0.5, 0.0, 0.0)))  # fmt: skip
-    still = fly(tables(wall, velocity=(2.0, -0.4, -0.2)))
+                        velocity=(0.5, 0.0, 0.0), duration=0.15))  # fmt: skip
+    still = fly(tables(wall, velocity=(2.0, -0.4, -0.2), duration=0.15))
     for k, axis in enumerate("xyz"):
         there = np.interp(moving.t, still.t, still.columns[axis]) + drift[k] * moving.t
         assert np.abs(moving.columns[axis] - there).max() < 2e-7  # between instants
@@ -176,9 +183,15 @@ def test_a_moving_wall_is_a_wall_at_rest_in_the_moving_frame() -> None:
 def test_a_very_heavy_ball_is_one_at_rest() -> None:
     """A free obstacle of a million tonnes is as good as a fixed one."""
     at = (0.45, 0.05, 0.03)
-    heavy = fly(tables(ball(at, type="free", mass=1e9), velocity=(2.0, 0.0, 0.0)), trajectory=False)
-    fixed = fly(tables({**BALL, "position": list(at)}, velocity=(2.0, 0.0, 0.0)), trajectory=False)
-    for name in ("impact_peak_acceleration", "separation_time", "impulse_x", "restitution_at_separation"):
+    there = {"velocity": (2.0, 0.0, 0.0), "duration": 0.15}
+    heavy = fly(tables(ball(at, type="free", mass=1e9), **there), trajectory=False)
+    fixed = fly(tables({**BALL, "position": list(at)}, **there), trajectory=False)
+    for name in (
+        "impact_peak_acceleration",
+        "separation_time",
+        "impulse_x",
+        "restitution_at_separation",
+    ):
         assert heavy.measures[name] == pytest.approx(fixed.measures[name], rel=1e-6), name
 
 
@@ -187,8 +200,6 @@ FAR = {"start": {"position": [50.0, 0.0, 50.0]}}
 
 def test_a_hanging_ball_swings_as_a_physical_pendulum() -> None:
     """From 60°: the speed at the bottom follows from its height, its period from the elliptic integral."""
-    import scipy
-
     length, angle, m, r = 0.8, math.radians(60.0), 1.3, 0.12
     at = (length * math.sin(angle), 0.0, -length * math.cos(angle))
     hanging = ball(at, type="pendulum", mass=m, pivot=[0.0, 0.0, 0.0])
@@ -199,9 +210,9 @@ def test_a_hanging_ball_swings_as_a_physical_pendulum() -> None:
     period = 4.0 / rate * scipy.special.ellipk(math.sin(0.5 * angle) ** 2)
     x = c["obstacle0_x"]
     falls = np.flatnonzero((x[:-1] > 0.0) & (x[1:] <= 0.0))
-    zero = [
-        np.interp(0.0, [-x[k], -x[k + 1]], [flight.t[k], flight.t[k + 1]]) for k in falls[:1]
-    ][0]
+    zero = [np.interp(0.0, [-x[k], -x[k + 1]], [flight.t[k], flight.t[k + 1]]) for k in falls[:1]][
+        0
+    ]
     assert zero == pytest.approx(0.25 * period, rel=1e-5)
     speed = np.sqrt(c["obstacle0_vx"] ** 2 + c["obstacle0_vz"] ** 2)
     fall = length * (1.0 - math.cos(angle))
@@ -254,7 +265,7 @@ def test_a_thrown_box_falls_bounces_and_comes_to_rest() -> None:
     c = flight.columns
     assert abs(flight.measures["ledger_residual"]) < 3e-6
     assert flight.measures["loss_obstacles"] > 4.0
-    assert c["obstacle0_z"][-1] == pytest.approx(0.05, abs=2e-3)
+    assert c["obstacle0_z"][-1] == pytest.approx(0.05, abs=1e-3)
     assert math.hypot(c["obstacle0_vx"][-1], c["obstacle0_vy"][-1]) < 0.02
     assert abs(c["obstacle0_vz"][-1]) < 1e-3
 
@@ -271,8 +282,9 @@ def test_all_executors_fly_the_same_bits() -> None:
         plain = fly(one, executor="python", trajectory=False).measures
         assert plain["contacts"] == 1.0
         assert fly(one, trajectory=False).measures == plain
-        found = {name: together.columns[name][k] for name in ("impulse_x", "touch_speed")}
-        assert found == {name: plain[name] for name in found}
+        for name, value in plain.items():
+            row = together.measures[name][k]
+            assert np.isnan(row) if value is None else row == value, name
 
 
 def test_many_moving_obstacles_at_once() -> None:
@@ -288,7 +300,7 @@ def test_many_moving_obstacles_at_once() -> None:
 
 WRONG: dict[str, tuple[dict[str, Any], str]] = {
     "no mass": ({"type": "free"}, "mass"),
-    "mass 0": ({"type": "free", "mass": 0.0}, "motion.mass"),
+    "mass 0": ({"type": "free", "mass": 0.0}, "motion.mass: must be more than 0 kg"),
     "an impossible inertia": (
         {"type": "free", "mass": 1.0, "inertia": [1.0, 1.0, 3.0]}, "no moment larger"
     ),
@@ -328,7 +340,12 @@ def test_what_has_no_end_has_no_mass() -> None:
     for motion in ({"type": "free", "mass": 1.0}, {"type": "constant", "turning": 1.0}):
         with pytest.raises(Exception, match=r"an end|without end"):
             scenario_from(tables({**pole, "motion": motion}))
-    wall = {"type": "wall", "distance": 2.0, "surface": SURFACE, "motion": {"type": "free", "mass": 1.0}}
+    wall = {
+        "type": "wall",
+        "distance": 2.0,
+        "surface": SURFACE,
+        "motion": {"type": "free", "mass": 1.0},
+    }
     with pytest.raises(Exception, match="motion"):
         scenario_from(tables(wall))
 

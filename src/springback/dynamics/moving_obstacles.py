@@ -37,6 +37,7 @@ from springback.contact.moving.scene import MovingScene
 from springback.contact.scene.faces import FACES, SceneInBodyFrame, SolidScene
 from springback.contact.surfaces import elastic_energy
 from springback.dynamics.crossing import NO_CROSSING, Crossing, crossing, sooner
+from springback.dynamics.stops import AHEAD
 from springback.dynamics.touches import Reaction, is_in_contact
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.routines import number_at
@@ -132,7 +133,7 @@ def _with_contact(so_far: BodyTouch, met: CageContact, k: int) -> BodyTouch:
 
 @kernel
 def body_touch(
-    body: MovingBody, pose: BodyPose, still: SolidScene, gravity_axis: Vec, flags: float
+    body: MovingBody, pose: BodyPose, still: SolidScene, flags: float
 ) -> BodyTouch:
     """Contacts of a free body with what is at rest in the world.
 
@@ -140,7 +141,6 @@ def body_touch(
         body: The obstacle.
         pose: Its place and motion.
         still: The world.
-        gravity_axis: Unit vector upwards, world.
         flags: Bits of the contacts that are engaged; see `springback.contact.cage.face_contact`.
     """
     none, r = Vec(0.0, 0.0, 0.0), pose.r
@@ -152,7 +152,8 @@ def body_touch(
     if around > LANDED:
         return replace(touch, gap=around)
     velocity, spin = pose.velocity @ r, pose.spin @ r
-    motion = BodyMotion(pose.position, r, velocity, spin, gravity_axis @ r, 0.0)
+    ahead = AHEAD * fastest_of_body(body, pose)
+    motion = BodyMotion(pose.position, r, velocity, spin, Vec(r.z.x, r.z.y, r.z.z), ahead)
     for i in range(int(number_at(body.points, 0))):
         k = 1 + 4 * i
         centre = Vec(
@@ -205,6 +206,16 @@ def _joint(body: MovingBody, state: BodyState, pose: BodyPose) -> HingeTorque:
     if body.kind == PIVOTED:
         return HingeTorque(0.0, body.damping * (pose.spin @ pose.spin), 0.0)
     return HingeTorque(0.0, 0.0, 0.0)
+
+
+@kernel
+def _next_stop(body: MovingBody, state: BodyState, pose: BodyPose) -> Crossing:
+    """Crossing at which a hinge meets or leaves one of its stops."""
+    if body.kind != HINGED:
+        return Crossing(NO_CROSSING, 1.0)
+    angle, turning = hinge_angle(body, state.attitude), pose.spin @ body.axis
+    forwards = crossing(angle - body.highest, turning)
+    return sooner(forwards, crossing(angle - body.lowest, turning))
 
 
 class BodyAccelerations(NamedTuple):
@@ -277,7 +288,7 @@ def _body_rates(
         gravity: g [m/s²].
     """
     pose = body_pose(body, state)
-    touch = body_touch(body, pose, still, Vec(0.0, 0.0, 1.0), flags)
+    touch = body_touch(body, pose, still, flags)
     load, joint = _load_of(reaction, at, pose, touch), _joint(body, state, pose)
     a = _accelerations(body, pose, load, joint.torque, gravity)
     given = reaction.force @ motion.velocity + reaction.moment @ motion.spin
@@ -290,8 +301,9 @@ def _body_rates(
     hinge = (body.closer + body.stop) * _per_inertia(body)
     contact_rate = math.sqrt(spring + hinge) + damper + body.damping * _per_inertia(body)
     shaken = norm(a.linear) + body.reach * norm(a.angular)
+    meets = sooner(touch.crossing, _next_stop(body, state, pose))
     seen = BodyView(
-        touch.gap, touch.crossing, touch.engaged, fastest_of_body(body, pose), contact_rate,
+        touch.gap, meets, touch.engaged, fastest_of_body(body, pose), contact_rate,
         (reaction.grip + touch.grip) * give, shaken * (reaction.per_speed + touch.per_speed),
         1.0 if reaction.touches > 0.0 else 0.0, pose,
     )  # fmt: skip
@@ -435,7 +447,7 @@ def _body_energy(
         if body.kind == FREE:
             kinetic += 0.5 * body.mass * (pose.velocity @ pose.velocity)
         stored = _joint(body, state, pose).energy
-        touch = body_touch(body, pose, still, Vec(0.0, 0.0, 1.0), ALL_FLAGS)
+        touch = body_touch(body, pose, still, ALL_FLAGS)
         height = body.mass * gravity * pose.position.z
         return BodyEnergy(kinetic, height, stored, touch.elastic)
     return BodyEnergy(0.0, 0.0, 0.0, 0.0)
