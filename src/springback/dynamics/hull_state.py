@@ -11,6 +11,7 @@ from springback.dynamics.crossing import Crossing, soonest
 from springback.dynamics.touches import (
     BodyAcceleration,
     Contact,
+    PartPush,
     Slip,
     contact_of,
     crossing_of,
@@ -19,9 +20,11 @@ from springback.dynamics.touches import (
     slip_rate,
     strikes,
     touched_normal,
+    with_push,
+    with_push_flag,
 )
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import field_of, maximum, minimum, tree_map, tree_sum
+from springback.kernels.trees import field_of, fold, maximum, minimum, tree_map, tree_sum
 from springback.kernels.vectors import Vec, positive_part
 from springback.vehicle.state import Sphere
 
@@ -53,6 +56,7 @@ class HullState(NamedTuple):
 def hull_state(
     hull: Sphere,
     engaged: tuple[float, ...],
+    push: tuple[PartPush, ...],
     obstacles: Any,
     body: BodyMotion,
 ) -> HullState:
@@ -61,6 +65,7 @@ def hull_state(
     Args:
         hull: Hull of the main body.
         engaged: For each face, 0 if it was not touched when the step began.
+        push: Of another vehicle, if there is one.
         obstacles: In the body frame.
         body: Motion of the main body.
     """
@@ -68,7 +73,8 @@ def hull_state(
         hull_contact, (hull_faces(hull, obstacles, maximum(engaged)), engaged), (hull, body)
     )
     touch, gap = tree_sum(field_of(met, "touch")), minimum(field_of(met, "gap"))
-    engaged_now = tree_map(is_in_contact, (met,), ())
+    touch = fold(with_push, touch, push, (Vec(0.0, 0.0, 0.0), body.r))
+    engaged_now = fold(with_push_flag, tree_map(is_in_contact, (met,), ()), push, ())
     view = HullView(
         gap=gap,
         depth=positive_part(-gap),

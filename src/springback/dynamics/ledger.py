@@ -1,4 +1,4 @@
-"""The energy ledger at the end of a flight: its balance, and the test that it closes.
+"""The energy ledger: work since the start, its balance at the end, and whether it closes.
 
 Its history is in `springback.results.energy_history`.
 """
@@ -11,12 +11,29 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from springback.dynamics.moving_obstacles import BodyWork
+from springback.kernels.vectors import Vec
+
 Array = npt.NDArray[Any]
 
 #: A ledger closes if its residual is at most this share of the largest energy ...
 TOLERANCE = 1e-4
 #: ... or less than this, the rounding of heights and speeds of a vehicle at rest [J].
 ROUNDING = 1e-9
+
+
+class Work(NamedTuple):
+    """Energies and impulse exchanged since the start, integrated with the motion."""
+
+    thrust: float  # put in by the rotors [J]
+    arm: float  # taken by arm dampers [J]
+    stop: float  # taken by end stops [J]
+    contact: float  # taken by contact damping [J]
+    friction: float  # taken by friction [J]
+    settling: float  # lost when settled arms are locked again [J]
+    air: float  # taken by the air; negative where wind adds energy [J]
+    impulse: Vec  # of the contact forces, world [N s]
+    bodies: tuple[BodyWork, ...] = ()  # by obstacles that move; mostly none
 
 
 class LedgerBalance(NamedTuple):
@@ -36,7 +53,7 @@ def ledger_balance(work: Any, before: Any, after: Any) -> LedgerBalance:
     Energies are those of the vehicle and of all obstacles that move by themselves.
 
     Args:
-        work: `springback.dynamics.motion.Work` since the start, whose leaves are columns.
+        work: `Work` since the start, whose leaves are columns.
         before: `springback.dynamics.energy.Energy` at the start, likewise.
         after: `springback.dynamics.energy.Energy` at the end, likewise.
     """

@@ -52,9 +52,9 @@ from springback.dynamics.air import aerodynamics
 from springback.dynamics.crossing import Crossing, sooner, soonest
 from springback.dynamics.hull_state import HullView as HullView
 from springback.dynamics.hull_state import friction_rate_with_hull, hull_slip_rate, hull_state
+from springback.dynamics.ledger import Work as Work
 from springback.dynamics.moving_obstacles import (
     BodyView,
-    BodyWork,
     StepRates,
     VehiclePlace,
     all_flags,
@@ -71,15 +71,21 @@ from springback.dynamics.touches import RESTING as RESTING
 from springback.dynamics.touches import (
     BodyAcceleration,
     Contact,
+    PartPush,
     Slip,
+    arm_pushes,
     contact_of,
     crossing_of,
+    hull_pushes,
     is_in_contact,
     slip_of,
     slip_rate,
     strikes,
     touched_normal,
+    with_push,
+    with_push_flag,
 )
+from springback.dynamics.touches import Engaged as Engaged
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import (
     field_of,
@@ -102,20 +108,6 @@ from springback.vehicle.state import (
     fastest_cage,
     reach,
 )
-
-
-class Work(NamedTuple):
-    """Energies and impulse exchanged since the start, integrated with the motion."""
-
-    thrust: float  # put in by the rotors [J]
-    arm: float  # taken by arm dampers [J]
-    stop: float  # taken by end stops [J]
-    contact: float  # taken by contact damping [J]
-    friction: float  # taken by friction [J]
-    settling: float  # lost when settled arms are locked again [J]
-    air: float  # taken by the air; negative where wind adds energy [J]
-    impulse: Vec  # of the contact forces, world [N s]
-    bodies: tuple[BodyWork, ...] = ()  # by obstacles that move; mostly none
 
 
 class Motion(NamedTuple):
@@ -181,14 +173,6 @@ class ArmPull(NamedTuple):
     hold: float  # u_j
 
 
-class Engaged(NamedTuple):
-    """Contact flags: for each face, 1 if a part of the vehicle touches it."""
-
-    arms: tuple[tuple[float, ...], ...]  # the cage of each arm
-    hull: tuple[tuple[float, ...], ...]  # of the main body
-    bodies: tuple[float, ...] = ()  # of moving obstacles: see `body_touch`
-
-
 class Surroundings(NamedTuple):
     """What all arms of a vehicle share at one instant."""
 
@@ -232,6 +216,7 @@ def arm_state(
     rate: float,
     thrust: float,
     engaged: tuple[float, ...],
+    push: tuple[PartPush, ...],
     around: Surroundings,
 ) -> ArmState:
     """One arm: contact at its cage, its spring, its stops, its rotor, its inertia.
@@ -242,6 +227,7 @@ def arm_state(
         rate: l̇_j [m/s].
         thrust: T_j [N].
         engaged: For each face, 0 if the cage did not touch it when the step began.
+        push: Of another vehicle, if there is one.
         around: What all arms share.
     """
     body, omega = around.body, around.body.omega
@@ -252,7 +238,7 @@ def arm_state(
     touching = maximum(engaged)
     faces = contact_faces(around.obstacles, around.contact_point, arm.cage_radius, pose, touching)
     met = tree_map(face_contact, (faces, engaged), (pose, body))
-    touch = tree_sum(field_of(met, "touch"))
+    touch = fold(with_push, tree_sum(field_of(met, "touch")), push, (lever, body.r))
     gap = minimum(field_of(met, "gap"))
     stop = end_stop(arm, length, rate)
 
@@ -283,7 +269,7 @@ def arm_state(
     )
     has_stops = (arm.stop_stiffness > 0.0) & (u > 0.0)
     stops_at = next_stop(arm, length, rate if has_stops else 0.0)
-    engaged_now = tree_map(is_in_contact, (met,), ())
+    engaged_now = fold(with_push_flag, tree_map(is_in_contact, (met,), ()), push, ())
     view = ArmView(
         gap=gap,
         depth=positive_part(-gap),
@@ -371,6 +357,10 @@ class Plant(Protocol):
     def thrust(self) -> tuple[float, ...]:
         """Thrust of each rotor, along body z at the end of its arm [N]."""
 
+    @property
+    def pushed(self) -> Any:
+        """`Pushes` of another vehicle; empty without one."""
+
 
 @kernel
 def rates(plant: Plant, state: State, released: float) -> Rates:
@@ -407,10 +397,18 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
     arms, a = tree_map_sum(
         arm_state,
         "share",
-        (airframe.arms, state.arm_length, state.arm_rate, plant.thrust, engaged.arms),
+        (
+            airframe.arms,
+            state.arm_length,
+            state.arm_rate,
+            plant.thrust,
+            engaged.arms,
+            arm_pushes(plant.pushed, airframe.arms),
+        ),
         (Surroundings(obstacles, plant.contact_point, body, released),),
     )
-    hull = tree_map(hull_state, (airframe.hull, engaged.hull), (obstacles, body))
+    pushed = hull_pushes(plant.pushed, airframe.hull)
+    hull = tree_map(hull_state, (airframe.hull, engaged.hull, pushed), (obstacles, body))
     contact = fold(_together, a.contact, field_of(hull, "contact"), ())
     bodies = bodies_rates(
         world.obstacles, state.bodies, moving_bodies(obstacles), contact.reactions, engaged.bodies,

@@ -21,6 +21,7 @@ from springback.contact.cage import (
     lowest_gap,
 )
 from springback.contact.moving.bodies import (
+    CARRIED,
     FREE,
     GIVEN,
     HINGED,
@@ -38,7 +39,7 @@ from springback.contact.scene.faces import FACES, SceneInBodyFrame, SolidScene
 from springback.contact.surfaces import elastic_energy
 from springback.dynamics.crossing import NO_CROSSING, Crossing, crossing, sooner
 from springback.dynamics.stops import AHEAD
-from springback.dynamics.touches import Reaction, is_in_contact
+from springback.dynamics.touches import PartPush, Reaction, is_in_contact
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.routines import number_at
 from springback.kernels.trees import fold, replace, select, tree_map
@@ -71,12 +72,13 @@ class BodyView(NamedTuple):
     slip_rate: float  # rate of change of its slips, over their regularised speed [1/s]
     struck: float  # 1 while the vehicle touches it
     pose: BodyPose
+    push: PartPush  # of the vehicle on it
 
 
 #: View of a moving obstacle that touches nothing.
 NO_VIEW = BodyView(
     1e9, Crossing(NO_CROSSING, 1.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    BodyPose(_NONE, Mat3(_NONE, _NONE, _NONE), _NONE, _NONE),
+    BodyPose(_NONE, Mat3(_NONE, _NONE, _NONE), _NONE, _NONE), PartPush(_NONE, _NONE, 0.0, 0.0),
 )  # fmt: skip
 
 
@@ -132,9 +134,7 @@ def _with_contact(so_far: BodyTouch, met: CageContact, k: int) -> BodyTouch:
 
 
 @kernel
-def body_touch(
-    body: MovingBody, pose: BodyPose, still: SolidScene, flags: float
-) -> BodyTouch:
+def body_touch(body: MovingBody, pose: BodyPose, still: SolidScene, flags: float) -> BodyTouch:
     """Contacts of a free body with what is at rest in the world.
 
     Args:
@@ -293,7 +293,10 @@ def _body_rates(
     a = _accelerations(body, pose, load, joint.torque, gravity)
     given = reaction.force @ motion.velocity + reaction.moment @ motion.spin
     work = BodyWork(
-        given if body.kind == GIVEN else 0.0, joint.loss, touch.contact_loss, touch.friction_loss
+        given if (body.kind == GIVEN) | (body.kind == CARRIED) else 0.0,
+        joint.loss,
+        touch.contact_loss,
+        touch.friction_loss,
     )
     give = body.mobility
     spring = (reaction.stiffness + touch.stiffness) * give
@@ -301,11 +304,14 @@ def _body_rates(
     hinge = (body.closer + body.stop) * _per_inertia(body)
     contact_rate = math.sqrt(spring + hinge) + damper + body.damping * _per_inertia(body)
     shaken = norm(a.linear) + body.reach * norm(a.angular)
+    if body.kind == CARRIED:  # its acceleration is not known here: a bound of what contact adds
+        shaken = give * norm(load.force)
     meets = sooner(touch.crossing, _next_stop(body, state, pose))
     seen = BodyView(
         touch.gap, meets, touch.engaged, fastest_of_body(body, pose), contact_rate,
         (reaction.grip + touch.grip) * give, shaken * (reaction.per_speed + touch.per_speed),
         1.0 if reaction.touches > 0.0 else 0.0, pose,
+        PartPush(load.force, load.moment, reaction.normal, reaction.touches),
     )  # fmt: skip
     return BodyRates(_state_rate(body, state, a), work, seen)
 

@@ -5,7 +5,7 @@ Its effect on arms and main body is in `springback.dynamics.motion`.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from springback.contact.cage import (
     LANDED,
@@ -17,9 +17,9 @@ from springback.contact.cage import (
 from springback.contact.step_bounds import ContactStiffness
 from springback.contact.surfaces import Surface
 from springback.dynamics.crossing import Crossing, crossing
-from springback.kernels.compiler import kernel
-from springback.kernels.trees import fold, maximum, tree_map, tree_sum
-from springback.kernels.vectors import Vec
+from springback.kernels.compiler import generic, kernel
+from springback.kernels.trees import fold, maximum, replace, tree_map, tree_sum
+from springback.kernels.vectors import Mat3, Vec, larger
 
 #: A cage at a surface of the impulse law rests there while it is slower than this along the normal
 #: [m/s]: it then touches without rebound (chosen: a rebound at this speed is 5 µm high).
@@ -36,6 +36,31 @@ class Reaction(NamedTuple):
     grip: float  # friction as a damper [N s/m]
     per_speed: float  # of friction, 1/√(v² + v_s²), all together [s/m]
     touches: float  # number of contacts
+    normal: float  # sum of the normal forces [N]
+
+
+class PartPush(NamedTuple):
+    """Push of another vehicle on a part of this one; world axes."""
+
+    force: Vec  # [N]
+    moment: Vec  # about the end of the arm, or about the main body for its hull [N m]
+    normal: float  # sum of the normal forces [N]
+    touches: float  # number of contacts
+
+
+class Pushes(NamedTuple):
+    """Pushes of another vehicle on all parts of this one."""
+
+    arms: tuple[PartPush, ...]
+    hull: tuple[PartPush, ...]  # of the main body, if it has a hull
+
+
+class Engaged(NamedTuple):
+    """Contact flags: for each face, 1 if a part of the vehicle touches it."""
+
+    arms: tuple[tuple[float, ...], ...]  # the cage of each arm
+    hull: tuple[tuple[float, ...], ...]  # of the main body
+    bodies: tuple[float, ...] = ()  # of moving obstacles: see `body_touch`
 
 
 class Contact(NamedTuple):
@@ -67,14 +92,14 @@ def _of_face(met: CageContact, motion: FaceMotion, number: float) -> Reaction:
     return Reaction(
         ours * touch.force, ours * touch.moment, ours * touch.press.stiffness,
         ours * touch.press.damper, ours * touch.grip.damper, ours * met.per_speed,
-        ours * is_in_contact(met),
+        ours * is_in_contact(met), ours * touch.normal,
     )  # fmt: skip
 
 
 @kernel
 def _of_contact(met: CageContact, number: float) -> Reaction:
     none = Vec(0.0, 0.0, 0.0)
-    start = Reaction(none, none, 0.0, 0.0, 0.0, 0.0, 0.0)
+    start = Reaction(none, none, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     return fold(_summed, start, met.moving, (met, number))
 
 
@@ -157,6 +182,64 @@ def touched_normal(met: tuple[CageContact, ...], nearest: float, engaged: tuple[
 def slip_of(met: CageContact) -> Slip:
     """Slip of a part along an obstacle."""
     return Slip(met.inward, met.rubbing_at, met.per_speed, met.surface)
+
+
+@generic
+def arm_pushes(pushed: Any, arms: tuple[Any, ...]) -> tuple[tuple[PartPush, ...], ...]:
+    """For each arm the pushes of another vehicle on it; mostly there is none."""
+    return tree_map(_no_push, (arms,), ())
+
+
+@generic
+def hull_pushes(pushed: Any, hull: tuple[Any, ...]) -> tuple[tuple[PartPush, ...], ...]:
+    """As `arm_pushes`, for the hull of the main body."""
+    return tree_map(_no_push, (hull,), ())
+
+
+@kernel
+def _no_push(part: Any) -> tuple[()]:
+    return ()
+
+
+@kernel
+def _one_push(push: PartPush) -> tuple[PartPush]:
+    return (push,)
+
+
+@arm_pushes.register(Pushes)
+@kernel
+def _given_to_arms(pushed: Pushes, arms: tuple[Any, ...]) -> tuple[tuple[PartPush, ...], ...]:
+    return tree_map(_one_push, (pushed.arms,), ())
+
+
+@hull_pushes.register(Pushes)
+@kernel
+def _given_to_hull(pushed: Pushes, hull: tuple[Any, ...]) -> tuple[tuple[PartPush, ...], ...]:
+    return tree_map(_one_push, (pushed.hull,), ())
+
+
+@kernel
+def with_push(touch: ContactLoad, push: PartPush, lever: Vec, r: Mat3) -> ContactLoad:
+    """Load on a part, with the push of another vehicle.
+
+    Args:
+        touch: Load of the obstacles.
+        push: Of the other vehicle.
+        lever: From the main body to the point about which its moment is, body axes [m].
+        r: Body axes to world axes.
+    """
+    force = push.force @ r
+    moment = push.moment @ r + (lever ^ force)
+    return replace(
+        touch, force=touch.force + force, moment=touch.moment + moment,
+        normal=touch.normal + push.normal,
+    )  # fmt: skip
+
+
+@kernel
+def with_push_flag(engaged: tuple[float, ...], push: PartPush) -> tuple[float, ...]:
+    """Flags of contact of a part, all 1 while another vehicle touches it."""
+    return tree_map(larger, (engaged,), (1.0 if push.touches > 0.0 else 0.0,))
 
 
 class BodyAcceleration(NamedTuple):

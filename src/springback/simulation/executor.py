@@ -156,23 +156,23 @@ def add_stage(shape: TreeLayout, b: Buffer, w: int, reach: float, weight: float)
     # Mostly no hull touches: its forces, all zero, are then left out.
     if hull_touches(shape, b, w):
         for i in range(w):
-            model = _stage_model(shape, b, w, i, reach)
-            state = _stage_state(shape, b, w, i, reach)
+            model = stage_model(shape, b, w, i, reach)
+            state = stage_state(shape, b, w, i, reach)
             engaged = read(contacts.engaged, b, at.engaged, w, i)
             known = rates_within(model, state, b[at.phase * w + i], engaged)
-            _add_rates(shape, b, w, i, known.motion, weight)
+            add_rates(shape, b, w, i, known.motion, weight)
     else:
         for i in range(w):
-            model = _without_hull(_stage_model(shape, b, w, i, reach))
-            state = _stage_state(shape, b, w, i, reach)
+            model = _without_hull(stage_model(shape, b, w, i, reach))
+            state = stage_state(shape, b, w, i, reach)
             flags = read(contacts.engaged, b, at.engaged, w, i)
             engaged = Engaged(flags.arms, (), flags.bodies)
             known = rates_within(model, state, b[at.phase * w + i], engaged)
-            _add_rates(shape, b, w, i, known.motion, weight)
+            add_rates(shape, b, w, i, known.motion, weight)
 
 
 @kernel
-def _stage_model(shape: TreeLayout, b: Buffer, w: int, i: int, reach: float) -> Model:
+def stage_model(shape: TreeLayout, b: Buffer, w: int, i: int, reach: float) -> Model:
     """Model of one lane at the instant of a stage."""
     at = places(shape, w)
     time = b[at.record * w + i] + reach * b[at.step * w + i]
@@ -181,7 +181,7 @@ def _stage_model(shape: TreeLayout, b: Buffer, w: int, i: int, reach: float) -> 
 
 
 @kernel
-def _stage_state(shape: TreeLayout, b: Buffer, w: int, i: int, reach: float) -> State:
+def stage_state(shape: TreeLayout, b: Buffer, w: int, i: int, reach: float) -> State:
     """State of one lane for a stage, by the rates of the stage before."""
     at = places(shape, w)
     state = read(shape.motion.state, b, at.motion, w, i)
@@ -191,7 +191,7 @@ def _stage_state(shape: TreeLayout, b: Buffer, w: int, i: int, reach: float) -> 
 
 
 @kernel
-def _add_rates(shape: TreeLayout, b: Buffer, w: int, i: int, rate: Motion, weight: float) -> None:
+def add_rates(shape: TreeLayout, b: Buffer, w: int, i: int, rate: Motion, weight: float) -> None:
     """Store the rates of a stage, and add them with their weight."""
     at = places(shape, w)
     so_far = read(shape.motion, b, at.total, w, i)

@@ -282,7 +282,7 @@ def fly_guided(
     buffers, run = FlightBuffers(motion, onboard, (0,)), guide_for(model, avionics, executor)
     layouts = layouts_of(shape, avionics, noise.shape[1] - GUST_NOISE)
     numbers, at = stored_stream(noise), np.zeros(3, dtype=np.int64)
-    head = (*_telemetry_columns(avionics),) if trace else ()
+    head = (*telemetry_head(avionics),) if trace else ()
     mailbox = _mailbox(avionics, onboard[0]) if pilot is not None else None
     telemetry = np.zeros((count if trace else 0, len(head)))
     logs, record_row, memory = [], -rows(shape.record), None
@@ -346,7 +346,7 @@ def _call(
     return said.memory
 
 
-def _telemetry_columns(avionics: Avionics) -> list[str]:
+def telemetry_head(avionics: Avionics) -> list[str]:
     """Names of the columns of the telemetry."""
     memory = avionics.onboard.pilot
     parts = {

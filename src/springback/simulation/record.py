@@ -55,8 +55,7 @@ ROOMY_STEPS = 8.0
 ROOM = 1e-3
 #: Factor on the speed of the fastest point at the beginning of a step.
 HASTE = 2.0
-#: Against division by zero.
-TINY = 1e-9
+TINY = 1e-9  # against division by zero
 
 
 class Timing(NamedTuple):
@@ -83,6 +82,7 @@ class Model(NamedTuple):
     thrust: tuple[float, ...]  # of each rotor [N]
     timing: Timing
     ramp: tuple[Ramp, ...] = ()  # one if the thrusts change with time
+    pushed: Any = ()  # `Pushes` of another vehicle, if there is one
 
 
 class Stepping(NamedTuple):

@@ -8,7 +8,8 @@ The kinds of motion are numbers, so that bodies of all kinds are one structure t
 * free (`FREE`): Newton–Euler equations about the centre of mass;
 * on a pivot (`PIVOTED`): it turns about a point of the world, like a ball on a rod;
 * hinged (`HINGED`): it turns about an axis through that point, like a door, with a closer: a
-  torsion spring and damper, and stops at both ends of its way.
+  torsion spring and damper, and stops at both ends of its way;
+* carried (`CARRIED`): a part of a second vehicle, which is where that is.
 
 Of its `springback.vehicle.state.BodyState` a body uses only what its motion leaves open.  Where it
 is given, that is the time, which is integrated like everything else: position and velocity are then
@@ -27,7 +28,7 @@ from springback.kernels.vectors import Mat3, Quat, Vec, rotation
 from springback.vehicle.state import BodyState
 
 #: Kinds of motion, by number; an absent body fills up a number of bodies, and touches nothing.
-ABSENT, GIVEN, FREE, PIVOTED, HINGED = -1.0, 0.0, 1.0, 2.0, 3.0
+ABSENT, GIVEN, FREE, PIVOTED, HINGED, CARRIED = -1.0, 0.0, 1.0, 2.0, 3.0, 4.0
 
 #: Numbers of one piece of a spline: four coefficients of x, y, z and θ each.
 CHANNELS, PIECE = 4, 16

@@ -110,6 +110,31 @@ def _body(number: int, shape: MovingShape) -> MovingBody:
     return body._replace(number=float(number), obstacle=float(shape.obstacle))
 
 
+def bodies_of(
+    kind: float,
+    scenes: Sequence[SolidScene],
+    reach: Sequence[float],
+    mobility: Sequence[float],
+    start: Sequence[BodyState],
+) -> tuple[MovingBody, ...]:
+    """Moving obstacles of one kind, whose motion is known elsewhere.
+
+    Args:
+        kind: Of motion, see `springback.contact.moving.bodies`.
+        scenes: Their solids, in their own axes.
+        reach: See `MovingBody`, as for the others.
+        mobility: Likewise.
+        start: Likewise.
+    """
+    given = enumerate(zip(scenes, reach, mobility, start, strict=True))
+    return tuple(
+        _NOTHING._replace(
+            scene=scene.table, kind=kind, number=float(k), reach=far, mobility=give, start=first
+        )
+        for k, (scene, far, give, first) in given
+    )
+
+
 # -- as prescribed --------------------------------------------------------------------------------
 
 

@@ -1,0 +1,1 @@
+"""Two vehicles in one world, that can strike each other."""

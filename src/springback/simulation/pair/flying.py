@@ -1,0 +1,208 @@
+"""Two vehicles in one world: the Python side, from tick to tick."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.contact.obstacles import Forces
+from springback.contact.scene.faces import SolidScene
+from springback.contact.surfaces import AnyExponent, AnyTangent, Surface
+from springback.dynamics.touches import PartPush, Pushes
+from springback.kernels.layout import Buffer, TreeLayout, row_of, rows
+from springback.kernels.trees import rebuilt
+from springback.kernels.vectors import Vec
+from springback.simulation.flight import (
+    LOG_ROWS,
+    SLICE,
+    FlightRecord,
+    Trace,
+    empty_log,
+    flight_buffers,
+    flight_records,
+    shape_of,
+    trace_columns,
+)
+from springback.simulation.guided import GuidedFlown, avionics_buffers, telemetry_head, ticks_of
+from springback.simulation.onboard import Avionics
+from springback.simulation.pair.parts import carried_bodies, parts_of, with_carried
+from springback.simulation.pair.stepping import advance_both
+from springback.simulation.record import FINISHED, FLYING, Model
+from springback.simulation.ticks import (
+    GUST_NOISE,
+    FlightBuffers,
+    FlightLog,
+    drive_rotors,
+    layouts_of,
+    sense_and_decide,
+)
+from springback.vehicle.state import State
+
+#: Surface that is noticed and does not push.
+_SILENT = Surface(0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, AnyTangent(0.0), 1.0, -1.0)
+
+
+class PairedFlight(NamedTuple):
+    """One of two vehicles, before the start."""
+
+    model: Model  # in a world that is a scene
+    start: State
+    avionics: Avionics | None
+    noise: Buffer | None  # of its sensors, shape (ticks, channels)
+
+
+class _Side:
+    """One of two vehicles while it flies."""
+
+    def __init__(self, flight: PairedFlight, trace: bool, ticks: int) -> None:
+        self.flight = flight
+        self.shape = shape_of(flight.model, flight.start)
+        self.layout = TreeLayout(self.shape)
+        self.motion = flight_buffers(self.shape, [flight.model], [flight.start], 1)
+        self.columns = len(trace_columns(self.shape))
+        self.full: list[Buffer] = []
+        self.trace = trace
+        self.log = self._new_log()
+        self.onboard: Buffer | None = None
+        head: list[str] = []
+        if flight.avionics is not None:
+            assert flight.noise is not None
+            self.onboard = avionics_buffers([flight.avionics], 1)
+            channels = flight.noise.shape[1] - GUST_NOISE
+            self.layouts = layouts_of(self.shape, flight.avionics, channels)
+            head = telemetry_head(flight.avionics) if trace else []
+        self.head = tuple(head)
+        self.telemetry = np.zeros((ticks if head else 0, max(len(head), 1)))
+
+    def _new_log(self) -> Any:
+        return empty_log(LOG_ROWS, self.columns) if self.trace else empty_log()
+
+    def keep_log(self) -> None:
+        """Put the log aside, and begin another."""
+        self.full.append(self.log.rows[: self.log.used[0]])
+        self.log = self._new_log()
+
+    def begin_tick(self, tick: int, duration: float, period: float) -> None:
+        """Run sensors and pilot, and set rotors and end until the next tick."""
+        if self.onboard is None:
+            self._set_end(min((tick + 1) * period, duration))
+            return
+        assert self.flight.noise is not None
+        buffers = FlightBuffers(self.motion[0], self.onboard[0], (0,))
+        log, drawn = FlightLog(self.log, self.telemetry), self.flight.noise[tick]
+        sense_and_decide(self.layouts, buffers, tick, drawn, log)
+        drive_rotors(self.layouts, buffers, tick, drawn, log, duration)
+
+    def _set_end(self, until: float) -> None:
+        self.motion[0, row_of(self.shape.model, "timing")] = until
+        status = row_of(self.shape.record.stepping, "status") - rows(self.shape.record)
+        if self.motion[0, status] == FINISHED:
+            self.motion[0, status] = FLYING
+
+    def flown(self) -> GuidedFlown | FlightRecord:
+        """Result."""
+        flight = self.flight
+        flown = flight_records(self.shape, [flight.model], [flight.start], self.motion, 1)[0]
+        if self.trace:
+            values = np.concatenate([*self.full, self.log.rows[: self.log.used[0]]])
+            flown = flown._replace(trace=Trace(trace_columns(self.shape), values))
+        if flight.avionics is None:
+            return flown
+        assert self.onboard is not None
+        at = rows(flight.avionics.systems)
+        after = rebuilt(flight.avionics.onboard, self.onboard[0, at:])
+        return GuidedFlown(flown, after, Trace(self.head, self.telemetry) if self.trace else None)
+
+
+def beside_each_other(
+    first: PairedFlight, second: PairedFlight, surface: Surface
+) -> tuple[PairedFlight, PairedFlight]:
+    """Two flights that know of each other: their parts are moving obstacles of the other one.
+
+    Args:
+        first: In a world that is a scene at rest.
+        second: Likewise.
+        surface: Of the contact between both.
+    """
+
+    def beside(one: PairedFlight, other: PairedFlight, surface: Surface) -> PairedFlight:
+        still = one.model.world.obstacles
+        assert isinstance(still, SolidScene)
+        bodies = carried_bodies(other.model.airframe, other.start, surface)
+        world = one.model.world._replace(obstacles=with_carried(still, bodies), laws=Forces(0.0))
+        start = one.start._replace(bodies=parts_of(other.model.airframe, other.start))
+        avionics = one.avionics
+        if avionics is not None:
+            onboard = avionics.onboard._replace(before=start)
+            avionics = avionics._replace(onboard=onboard)
+        return one._replace(model=one.model._replace(world=world), start=start, avionics=avionics)
+
+    none = PartPush(Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0), 0.0, 0.0)
+    a, b = beside(first, second, surface), beside(second, first, _SILENT)
+    airframe = second.model.airframe
+    pushes = Pushes((none,) * len(airframe.arms), (none,) * len(airframe.hull))
+    return a, b._replace(model=b.model._replace(pushed=pushes))
+
+
+def fly_both(
+    first: PairedFlight,
+    second: PairedFlight,
+    surface: Surface,
+    *,
+    period: float,
+    trace: bool = True,
+    progress: Callable[[float], None] | None = None,
+) -> tuple[GuidedFlown | FlightRecord, GuidedFlown | FlightRecord]:
+    """Fly two vehicles together.
+
+    Args:
+        first: The one on whose side contact is computed.
+        second: The other one.
+        surface: Of the contact between both.
+        period: Of a tick [s].
+        trace: Record trajectories and telemetry.
+        progress: Called from time to time with the simulated time [s].
+    """
+    duration = first.model.timing.until
+    guided = first.avionics is not None or second.avionics is not None
+    period = period if guided else duration
+    ticks = ticks_of(duration, period)
+    a, b = (_Side(each, trace, ticks) for each in beside_each_other(first, second, surface))
+    for tick in range(ticks):
+        a.begin_tick(tick, duration, period)
+        b.begin_tick(tick, duration, period)
+        early, flying = (0.0 if tick == ticks - 1 else 1.0), 1
+        while flying:
+            flying = advance_both(
+                a.layout, a.motion[0], b.layout, b.motion[0], a.log, b.log, SLICE, early
+            )
+            if trace and max(a.log.used[0], b.log.used[0]) >= LOG_ROWS:
+                a.keep_log()
+                b.keep_log()
+        if progress is not None and tick % 100 == 0:
+            progress(tick * period)
+    return a.flown(), _with_given_work(b.flown(), a.flown())
+
+
+def _with_given_work(second: Any, first: Any) -> Any:
+    """The second flight, with the work that the first did on it: less what that got from it."""
+    flown, other = _flown(second), _flown(first)
+    got = sum(body.driven for body in other.motion.work.bodies)
+    work = flown.motion.work
+    bodies = (work.bodies[0]._replace(driven=-got), *work.bodies[1:])
+    motion = flown.motion._replace(work=work._replace(bodies=bodies))
+    trace = flown.trace
+    if trace is not None and other.trace is not None:
+        names = [name for name in other.trace.columns if name.endswith(".driven")]
+        given = -np.sum([other.trace[name] for name in names], axis=0)
+        values = trace.values.copy()
+        values[:, trace.columns.index("work.bodies.1.driven")] = given
+        trace = trace._replace(values=values)
+    whole = flown._replace(motion=motion, trace=trace)
+    return second._replace(flown=whole) if isinstance(second, GuidedFlown) else whole
+
+
+def _flown(result: GuidedFlown | FlightRecord) -> FlightRecord:
+    return result.flown if isinstance(result, GuidedFlown) else result
