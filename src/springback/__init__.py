@@ -12,6 +12,8 @@ from springback.version import __version__ as __version__
 # Jedi (IPython, Jupyter, editors) from taking what follows for dead code.
 TYPE_CHECKING: bool = False
 if TYPE_CHECKING:
+    from springback.batch.pair import PairOfFlights as PairOfFlights
+    from springback.batch.pair import fly_pair as fly_pair
     from springback.campaign.access import Campaign as Campaign
     from springback.campaign.design.plan import Plan as Plan
     from springback.campaign.errors import CampaignError as CampaignError
@@ -87,6 +89,7 @@ _PUBLIC = {
     "CompiledPilot": "scenario.avionics", "PilotContext": "scenario.user.builders",
     "check_pilot": "studies.pilot_check", "Finding": "studies.pilot_check",
     "Scenario": "scenario.scenario", "read_scenario": "scenario.files",
+    "fly_pair": "batch.pair", "PairOfFlights": "batch.pair",
     "fly": "results.flight", "Flight": "results.flight", "load": "results.saved",
     "fly_many": "simulation.flight", "plot": "interfaces.figures.plot",
     "Plan": "campaign.design.plan", "run_campaign": "campaign.running",

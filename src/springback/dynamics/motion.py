@@ -53,14 +53,8 @@ from springback.dynamics.crossing import Crossing, sooner, soonest
 from springback.dynamics.hull_state import HullView as HullView
 from springback.dynamics.hull_state import friction_rate_with_hull, hull_slip_rate, hull_state
 from springback.dynamics.ledger import Work as Work
-from springback.dynamics.moving_obstacles import (
-    BodyView,
-    StepRates,
-    VehiclePlace,
-    all_flags,
-    bodies_rates,
-    with_body_rates,
-)
+from springback.dynamics.moving_obstacles import VehiclePlace, all_flags, bodies_rates
+from springback.dynamics.obstacle_views import BodyView, StepRates, with_body_rates
 from springback.dynamics.solution import Free as Free
 from springback.dynamics.solution import Slider as Slider
 from springback.dynamics.solution import System as System

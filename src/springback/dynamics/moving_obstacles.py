@@ -25,6 +25,7 @@ from springback.contact.moving.bodies import (
     FREE,
     GIVEN,
     HINGED,
+    NO_BODY,
     PIVOTED,
     BodyPose,
     HingeTorque,
@@ -38,11 +39,12 @@ from springback.contact.moving.scene import MovingScene
 from springback.contact.scene.faces import FACES, SceneInBodyFrame, SolidScene
 from springback.contact.surfaces import elastic_energy
 from springback.dynamics.crossing import NO_CROSSING, Crossing, crossing, sooner
+from springback.dynamics.obstacle_views import NO_VIEW, BodyView
 from springback.dynamics.stops import AHEAD
 from springback.dynamics.touches import PartPush, Reaction, is_in_contact
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.routines import number_at
-from springback.kernels.trees import fold, replace, select, tree_map
+from springback.kernels.routines import Routine, call_routine, number_at
+from springback.kernels.trees import replace, tree_map
 from springback.kernels.vectors import Mat3, Quat, Vec, larger, norm, positive_part, quaternion_rate
 from springback.vehicle.state import ArmPose, BodyState, Sphere
 
@@ -58,28 +60,6 @@ class BodyWork(NamedTuple):
     joint: float  # taken by closer and pivot [J]
     contact: float  # taken by damping at its contacts with the world [J]
     friction: float  # taken by friction there [J]
-
-
-class BodyView(NamedTuple):
-    """Observable quantities of one moving obstacle, for the choice of steps."""
-
-    gap: float  # to what is at rest in the world, if it can touch that [m]
-    crossing: Crossing  # of that gap: the next zero
-    engaged: float  # flags of its contacts with the world, as bits
-    fastest: float  # upper bound on the speed of a point of it [m/s]
-    contact_rate: float  # upper bound on the rate of its contacts [1/s]
-    friction_rate: float  # likewise of friction [1/s]
-    slip_rate: float  # rate of change of its slips, over their regularised speed [1/s]
-    struck: float  # 1 while the vehicle touches it
-    pose: BodyPose
-    push: PartPush  # of the vehicle on it
-
-
-#: View of a moving obstacle that touches nothing.
-NO_VIEW = BodyView(
-    1e9, Crossing(NO_CROSSING, 1.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    BodyPose(_NONE, Mat3(_NONE, _NONE, _NONE), _NONE, _NONE), PartPush(_NONE, _NONE, 0.0, 0.0),
-)  # fmt: skip
 
 
 class BodyRates(NamedTuple):
@@ -264,29 +244,25 @@ def _state_rate(body: MovingBody, state: BodyState, a: BodyAccelerations) -> Bod
     return _at_rest()
 
 
-@kernel
-def _body_rates(
-    body: MovingBody,
-    state: BodyState,
-    motion: FaceMotion,
-    reaction: Reaction,
-    flags: float,
-    still: SolidScene,
-    at: VehiclePlace,
-    gravity: float,
-) -> BodyRates:
-    """Rates of one moving obstacle.
+class BodySituation(NamedTuple):
+    """A moving obstacle at an instant, and what acts on it."""
 
-    Args:
-        body: The obstacle.
-        state: Its state.
-        motion: Its motion, viewed from the vehicle.
-        reaction: Of the vehicle's contacts with it.
-        flags: As for `body_touch`.
-        still: What is at rest in the world.
-        at: Place of the vehicle.
-        gravity: g [m/s²].
-    """
+    body: MovingBody
+    state: BodyState
+    motion: FaceMotion  # viewed from the vehicle
+    reaction: Reaction  # of the vehicle's contacts with it
+    flags: float  # as for `body_touch`
+    table: float  # of what is at rest in the world
+    query: float  # its search
+    at: VehiclePlace
+    gravity: float  # g [m/s²]
+
+
+@kernel
+def body_rates(s: BodySituation) -> BodyRates:
+    """Rates of one moving obstacle."""
+    body, state, motion, reaction = s.body, s.state, s.motion, s.reaction
+    still, at, flags, gravity = SolidScene(s.table, s.query, (), 0.0), s.at, s.flags, s.gravity
     pose = body_pose(body, state)
     touch = body_touch(body, pose, still, flags)
     load, joint = _load_of(reaction, at, pose, touch), _joint(body, state, pose)
@@ -316,6 +292,47 @@ def _body_rates(
     return BodyRates(_state_rate(body, state, a), work, seen)
 
 
+def _blank_situation() -> BodySituation:
+    none = Mat3(_NONE, _NONE, _NONE)
+    rest = FaceMotion(_NONE, _NONE, 0.0)
+    reaction = Reaction(_NONE, _NONE, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    place = VehiclePlace(_NONE, none)
+    start = _at_rest()
+    return BodySituation(NO_BODY, start, rest, reaction, 0.0, 0.0, 0.0, place, 0.0)
+
+
+#: `body_rates`, compiled once for all vehicles and worlds.
+BODY_RATES = Routine(body_rates, _blank_situation())
+
+
+def flown_scene(scene: MovingScene) -> MovingScene:
+    """A world in which obstacles move, ready to be flown in."""
+    return scene._replace(rates=BODY_RATES.address)
+
+
+@kernel
+def _no_rates() -> BodyRates:
+    return BodyRates(_at_rest(), BodyWork(0.0, 0.0, 0.0, 0.0), NO_VIEW)
+
+
+@kernel
+def _rates_by_routine(
+    body: MovingBody,
+    state: BodyState,
+    motion: FaceMotion,
+    reaction: Reaction,
+    flags: float,
+    obstacles: MovingScene,
+    at: VehiclePlace,
+    gravity: float,
+) -> BodyRates:
+    still = obstacles.still
+    asked = BodySituation(
+        body, state, motion, reaction, flags, still.table, still.query, at, gravity
+    )
+    return call_routine(obstacles.rates, asked, _no_rates())
+
+
 @kernel
 def _per_inertia(body: MovingBody) -> float:
     """Reciprocal of the inertia about a hinge, or the largest about a pivot [1/(kg m²)]."""
@@ -325,67 +342,6 @@ def _per_inertia(body: MovingBody) -> float:
         inverse = body.inverse
         return larger(larger(inverse.x.x, inverse.y.y), inverse.z.z)
     return 0.0
-
-
-class StepRates(NamedTuple):
-    """Upper bounds on rates that limit a step [1/s], as in `springback.dynamics.motion.View`."""
-
-    friction: float
-    contact: float
-    slip: float
-
-
-@kernel
-def with_body_rates(so_far: StepRates, body: BodyView) -> StepRates:
-    """Bounds for a vehicle and one more moving obstacle: each at most the sum of both."""
-    return StepRates(
-        so_far.friction + body.friction_rate,
-        so_far.contact + body.contact_rate,
-        so_far.slip + body.slip_rate,
-    )
-
-
-@kernel
-def nearer(gap: float, body: BodyView) -> float:
-    """A gap, or that of a moving obstacle to the world, if it is open and smaller [m]."""
-    return body.gap if (body.gap > 0.0) & (body.gap < gap) else gap
-
-
-@kernel
-def faster(speed: float, body: BodyView) -> float:
-    """Upper bound on the speed at which a part and a moving obstacle approach [m/s]."""
-    return speed + body.fastest
-
-
-@kernel
-def struck_first(before: float, body: BodyView, first: bool) -> float:
-    """Flag of a moving obstacle, 1 if the first touch of the flight is with it."""
-    return select(first, body.struck, before)
-
-
-@kernel
-def _along(struck: float, body: BodyView, inward: Vec) -> float:
-    return struck * (body.pose.velocity @ inward)
-
-
-@kernel
-def _less(speed: float, obstacle: float) -> float:
-    return speed - obstacle
-
-
-@kernel
-def speed_beside(
-    speed: float, struck: tuple[float, ...], bodies: tuple[BodyView, ...], inward: Vec
-) -> float:
-    """Speed relative to the centre of the obstacle that is struck, along a direction [m/s].
-
-    Args:
-        speed: In the world [m/s].
-        struck: 1 for the obstacle that counts, 0 for others.
-        bodies: All moving obstacles.
-        inward: Unit vector, world.
-    """
-    return fold(_less, speed, tree_map(_along, (struck, bodies), (inward,)), ())
 
 
 @kernel
@@ -430,7 +386,7 @@ def _rates_in_scene(
     gravity: float,
 ) -> tuple[BodyRates, ...]:
     each = (obstacles.bodies, states, motions, reactions, flags)
-    return tree_map(_body_rates, each, (obstacles.still, at, gravity))
+    return tree_map(_rates_by_routine, each, (obstacles, at, gravity))
 
 
 class BodyEnergy(NamedTuple):

@@ -22,6 +22,7 @@ from springback.contact.scene.faces import SolidScene
 from springback.contact.worlds import Own, obstacles
 from springback.dynamics.clearance import clearance
 from springback.dynamics.motion import Free, Slider
+from springback.dynamics.moving_obstacles import flown_scene
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
 from springback.kernels.trees import leaves
@@ -209,7 +210,7 @@ def world_numbers(world: WorldSettings, own: Sequence[Own] = ()) -> World:
     known = tuple(entry for entry in world.obstacles if not isinstance(entry, UserShape))
     built = obstacles(known, own)
     if isinstance(built, MovingScene):
-        return World(built, Forces(0.0), world.gravity)
+        return World(flown_scene(built), Forces(0.0), world.gravity)
     impulsive = isinstance(built, SolidScene) or any(
         one.surface.restitution >= 0.0 for one in built
     )

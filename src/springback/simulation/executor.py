@@ -27,7 +27,7 @@ from springback.dynamics.motion import (
     rates,
     rates_while,
 )
-from springback.dynamics.moving_obstacles import NO_VIEW, BodyView
+from springback.dynamics.obstacle_views import NO_VIEW, BodyView
 from springback.dynamics.rigid import RigidRates, RigidState, rigid_step
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
 from springback.kernels.layout import Buffer, TreeLayout, read, rows, write

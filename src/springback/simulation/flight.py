@@ -15,7 +15,8 @@ from springback.contact.cage import moving_bodies, per_face
 from springback.dynamics.crossing import Crossing
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import ArmView, HullView, Motion, View, Work
-from springback.dynamics.moving_obstacles import NO_VIEW, BodyWork
+from springback.dynamics.moving_obstacles import BodyWork
+from springback.dynamics.obstacle_views import NO_VIEW
 from springback.errors import InputError
 from springback.kernels.compiler import Origin, implementations, user_executor
 from springback.kernels.frozen import frozen_digest

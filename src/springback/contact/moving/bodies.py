@@ -217,3 +217,13 @@ def fastest_of_body(body: MovingBody, pose: BodyPose) -> float:
         return 0.0
     speed = math.sqrt(pose.velocity @ pose.velocity)
     return speed + body.reach * math.sqrt(pose.spin @ pose.spin)
+
+
+_NONE = Vec(0.0, 0.0, 0.0)
+_NO_MATRIX = Mat3(_NONE, _NONE, _NONE)
+#: An obstacle that is absent.
+NO_BODY = MovingBody(
+    0.0, ABSENT, 0.0, -1.0, 1.0, _NO_MATRIX, _NO_MATRIX, _NONE, _NONE, Vec(0.0, 0.0, 1.0), 0.0, 0.0,
+    0.0, 0.0, 0.0, 0.0, GivenPath(_NONE, _NONE, _NONE, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0,
+    BodyState(_NONE, Quat(1.0, 0.0, 0.0, 0.0), _NONE, _NONE),
+)  # fmt: skip

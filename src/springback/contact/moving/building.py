@@ -10,10 +10,10 @@ import numpy as np
 import scipy  # submodules are loaded on first use
 
 from springback.contact.moving.bodies import (
-    ABSENT,
     FREE,
     GIVEN,
     HINGED,
+    NO_BODY,
     PIVOTED,
     GivenPath,
     MovingBody,
@@ -27,7 +27,7 @@ from springback.contact.moving.parameters import (
     SineMotion,
     TableMotion,
 )
-from springback.contact.moving.scene import MOVING_FACES, MovingScene
+from springback.contact.moving.scene import MovingScene, scene_with
 from springback.contact.scene.faces import FACES, SolidScene
 from springback.contact.scene.solids import CAPSULE, FRUSTUM, HALF_SPACE, TORUS
 from springback.contact.scene.table import ENDLESS, Solid, scene_of
@@ -73,7 +73,7 @@ def moving_scene(still: SolidScene, moving: Sequence[MovingShape]) -> MovingScen
             bodies.append(_body(number, shape))
     count = next(count for count in COUNTS if count >= len(bodies))
     bodies += [_absent(number) for number in range(len(bodies), count)]
-    return MovingScene(still, tuple(bodies), MOVING_FACES.address)
+    return scene_with(still, tuple(bodies))
 
 
 def _scene_about(shape: MovingShape, origin: Array) -> SolidScene:
@@ -87,16 +87,8 @@ def _state(**known: Any) -> BodyState:
     return BodyState(_NONE, Quat(1.0, 0.0, 0.0, 0.0), _NONE, _NONE)._replace(**known)
 
 
-#: An obstacle that does nothing.
-_NOTHING = MovingBody(
-    0.0, ABSENT, 0.0, -1.0, 1.0, Mat3(_NONE, _NONE, _NONE), Mat3(_NONE, _NONE, _NONE), _NONE, _NONE,
-    Vec(0.0, 0.0, 1.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    GivenPath(_NONE, _NONE, _NONE, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0, _state(),
-)  # fmt: skip
-
-
 def _absent(number: int) -> MovingBody:
-    return _NOTHING._replace(number=float(number))
+    return NO_BODY._replace(number=float(number))
 
 
 def _body(number: int, shape: MovingShape) -> MovingBody:
@@ -128,7 +120,7 @@ def bodies_of(
     """
     given = enumerate(zip(scenes, reach, mobility, start, strict=True))
     return tuple(
-        _NOTHING._replace(
+        NO_BODY._replace(
             scene=scene.table, kind=kind, number=float(k), reach=far, mobility=give, start=first
         )
         for k, (scene, far, give, first) in given
@@ -147,14 +139,14 @@ def _as_given(shape: MovingShape) -> MovingBody:
     turns = path.turning or path.swing or (isinstance(motion, TableMotion) and motion.angle)
     if reach >= ENDLESS and turns:
         raise problem("cannot turn an obstacle without end")
-    return _NOTHING._replace(
+    return NO_BODY._replace(
         scene=_scene_about(shape, origin).table, kind=GIVEN, axis=_unit(motion.axis), path=path,
         reach=reach,
     )  # fmt: skip
 
 
 def _path(motion: ConstantMotion | SineMotion | TableMotion, start: Vec) -> GivenPath:
-    path = _NOTHING.path._replace(start=start)
+    path = NO_BODY.path._replace(start=start)
     if isinstance(motion, ConstantMotion):
         return path._replace(velocity=Vec(*motion.velocity), turning=motion.turning)
     if isinstance(motion, SineMotion):
@@ -202,7 +194,7 @@ def _with_mass(shape: MovingShape) -> MovingBody:
         assert known is not None
         inertia = motion.mass / known.volume * known.inertia
     reach = _reach(shape.solids, origin)
-    body = _NOTHING._replace(
+    body = NO_BODY._replace(
         scene=_scene_about(shape, origin).table, mass=motion.mass, reach=reach,
         points=NumberTable(_points(shape.solids, origin)),
     )  # fmt: skip

@@ -7,6 +7,7 @@ nearest faces of all of them together, as many as in a scene at rest.
 
 from __future__ import annotations
 
+import functools
 from typing import Any, NamedTuple
 
 from springback.contact.cage import (
@@ -49,7 +50,9 @@ class MovingScene(NamedTuple):
 
     still: SolidScene  # all others
     bodies: tuple[MovingBody, ...]
-    search: float  # address of `faces_of_body`
+    search: float  # address of `faces_of_all` for as many bodies
+    one: float  # address of `faces_of_body`
+    rates: float  # address of `springback.dynamics.moving_obstacles.body_rates`; 0 in no flight
 
 
 class PlacedScene(NamedTuple):
@@ -59,12 +62,15 @@ class PlacedScene(NamedTuple):
     bodies: tuple[MovingBody, ...]
     poses: tuple[BodyPose, ...]
     search: float
+    one: float
 
 
 class BodyInBodyFrame(NamedTuple):
     """A moving obstacle, viewed from a vehicle."""
 
-    body: MovingBody
+    scene: float  # address of the table of its solids
+    kind: float  # of motion
+    reach: float  # [m]
     position: Vec  # of the vehicle, in the obstacle's axes [m]
     r: Mat3  # body axes of the vehicle to the obstacle's axes
     motion: FaceMotion
@@ -77,14 +83,23 @@ class MovingInBodyFrame(NamedTuple):
     bodies: tuple[BodyInBodyFrame, ...]
     own: tuple[Obstacle, ...]
     search: float
+    one: float
 
 
-class Search(NamedTuple):
+class BodySearch(NamedTuple):
     """A part of a vehicle beside one obstacle, and the faces found so far."""
 
     part: VehiclePart
     motion: FaceMotion
     found: ThreeFaces
+
+
+class WorldSearch(NamedTuple):
+    """A part of a vehicle in a world in which some obstacles move."""
+
+    part: VehiclePart
+    bodies: tuple[BodyInBodyFrame, ...]
+    one: float
 
 
 @kernel
@@ -119,7 +134,7 @@ def no_moving_faces() -> ThreeFaces:
 
 
 @kernel
-def faces_of_body(s: Search) -> ThreeFaces:
+def faces_of_body(s: BodySearch) -> ThreeFaces:
     """The faces found so far, and those of one more obstacle that are nearer."""
     there = scene_faces(s.part)
     found = _inserted(s.found, _moved(there.first, s.motion))
@@ -127,8 +142,44 @@ def faces_of_body(s: Search) -> ThreeFaces:
     return _inserted(found, _moved(there.third, s.motion))
 
 
+@kernel
+def _with_body(found: ThreeFaces, one: BodyInBodyFrame, s: WorldSearch) -> ThreeFaces:
+    """Faces with those of a moving obstacle; one that is far gives a lower bound of its gap."""
+    if one.kind == ABSENT:
+        return found
+    part = s.part
+    away = norm(one.position + one.r @ part.pose.lever) - one.reach - part.radius
+    if (away > EXACT_BELOW) & (part.exact == 0.0) & (away > found.first.nearest.gap):
+        return found
+    there = VehiclePart(
+        one.scene, part.kind, part.rounding, part.radius, part.pose, one.position, one.r, part.exact
+    )
+    return call_routine(s.one, BodySearch(there, one.motion, found), found)
+
+
+@kernel
+def faces_of_all(s: WorldSearch) -> ThreeFaces:
+    """The faces nearest to a part of a vehicle, of obstacles at rest and of those that move."""
+    none = no_moving_faces()
+    found = call_routine(s.one, BodySearch(s.part, _at_rest(), none), none)
+    return fold(_with_body, found, s.bodies, (s,))
+
+
 #: `faces_of_body`, compiled once for all vehicles and worlds.
-MOVING_FACES = Routine(faces_of_body, Search(blank_part(), _at_rest(), no_moving_faces()))
+BODY_FACES = Routine(faces_of_body, BodySearch(blank_part(), _at_rest(), no_moving_faces()))
+
+
+@functools.cache
+def search_among(bodies: int) -> Routine:
+    """`faces_of_all` for a number of moving obstacles, compiled once for all flights."""
+    none = Vec(0.0, 0.0, 0.0)
+    one = BodyInBodyFrame(0.0, 0.0, 0.0, none, Mat3(none, none, none), _at_rest())
+    return Routine(faces_of_all, WorldSearch(blank_part(), (one,) * bodies, 0.0))
+
+
+def scene_with(still: SolidScene, bodies: tuple[MovingBody, ...]) -> MovingScene:
+    """World of a scene at rest and some moving obstacles."""
+    return MovingScene(still, bodies, search_among(len(bodies)).address, BODY_FACES.address, 0.0)
 
 
 def exactly(scene: SolidScene | MovingScene) -> SolidScene | MovingScene:
@@ -142,7 +193,7 @@ def exactly(scene: SolidScene | MovingScene) -> SolidScene | MovingScene:
 @kernel
 def _moving_now(scene: MovingScene, bodies: tuple[BodyState, ...]) -> PlacedScene:
     poses = tree_map(body_pose, (scene.bodies, bodies), ())
-    return PlacedScene(scene.still, scene.bodies, poses, scene.search)
+    return PlacedScene(scene.still, scene.bodies, poses, scene.search, scene.one)
 
 
 @kernel
@@ -156,7 +207,7 @@ def _body_in_body_frame(body: MovingBody, pose: BodyPose, position: Vec, r: Mat3
     # Velocity of the obstacle, were it so large, at the main body.
     velocity = (pose.velocity + (pose.spin ^ away)) @ r
     motion = FaceMotion(velocity, pose.spin @ r, body.number)
-    return BodyInBodyFrame(body, away @ turn, columns @ r, motion)
+    return BodyInBodyFrame(body.scene, body.kind, body.reach, away @ turn, columns @ r, motion)
 
 
 @obstacles_in_body_frame.register(PlacedScene)
@@ -166,30 +217,7 @@ def _placed_in_body_frame(scene: PlacedScene, position: Vec, r: Mat3) -> MovingI
     own = tree_map(obstacle_in_body_frame, (still.own,), (position, r))
     rest = SceneInBodyFrame(still.table, still.query, (), position, r, still.exact)
     bodies = tree_map(_body_in_body_frame, (scene.bodies, scene.poses), (position, r))
-    return MovingInBodyFrame(rest, bodies, own, scene.search)
-
-
-@kernel
-def _with_body(
-    found: ThreeFaces,
-    one: BodyInBodyFrame,
-    world: MovingInBodyFrame,
-    contact_point: Any,
-    radius: float,
-    arm: ArmPose,
-) -> ThreeFaces:
-    """Faces with those of a moving obstacle; one that is far gives a lower bound of its gap."""
-    if one.body.kind == ABSENT:
-        return found
-    centre = one.position + one.r @ arm.lever
-    away = norm(centre) - one.body.reach - radius
-    if (away > EXACT_BELOW) & (world.still.exact == 0.0) & (away > found.first.nearest.gap):
-        return found
-    view = SceneInBodyFrame(
-        one.body.scene, world.search, (), one.position, one.r, world.still.exact
-    )
-    part = part_of(view, contact_point, radius, arm)
-    return call_routine(world.search, Search(part, one.motion, found), found)
+    return MovingInBodyFrame(rest, bodies, own, scene.search, scene.one)
 
 
 @kernel
@@ -197,9 +225,8 @@ def _all_faces(
     world: MovingInBodyFrame, contact_point: Any, radius: float, arm: ArmPose
 ) -> ThreeFaces:
     part = part_of(world.still, contact_point, radius, arm)
-    rest = Search(part, _at_rest(), no_moving_faces())
-    found = call_routine(world.search, rest, no_moving_faces())
-    return fold(_with_body, found, world.bodies, (world, contact_point, radius, arm))
+    asked = WorldSearch(part, world.bodies, world.one)
+    return call_routine(world.search, asked, no_moving_faces())
 
 
 @kernel

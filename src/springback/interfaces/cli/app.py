@@ -22,6 +22,7 @@ from springback.interfaces.cli.envelope import map_command
 from springback.interfaces.cli.examples import examples, new
 from springback.interfaces.cli.fly import fly
 from springback.interfaces.cli.lab import lab
+from springback.interfaces.cli.pair import pair
 from springback.interfaces.cli.reproduce import reproduce
 from springback.interfaces.cli.show import doctor, show
 from springback.interfaces.cli.study import study
@@ -41,8 +42,8 @@ def cli() -> None:
 
 
 for command in (
-    fly, check, reproduce, show, doctor, campaign, query, refly, summary, examples, new, animate,
-    lab, map_command, study, trust, view,
+    fly, pair, check, reproduce, show, doctor, campaign, query, refly, summary, examples, new,
+    animate, lab, map_command, study, trust, view,
 ):  # fmt: skip
     cli.add_command(command)
 

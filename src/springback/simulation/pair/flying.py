@@ -7,9 +7,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.contact.moving.scene import scene_with
 from springback.contact.obstacles import Forces
 from springback.contact.scene.faces import SolidScene
 from springback.contact.surfaces import AnyExponent, AnyTangent, Surface
+from springback.dynamics.moving_obstacles import flown_scene
 from springback.dynamics.touches import PartPush, Pushes
 from springback.kernels.layout import Buffer, TreeLayout, row_of, rows
 from springback.kernels.trees import rebuilt
@@ -27,7 +29,7 @@ from springback.simulation.flight import (
 )
 from springback.simulation.guided import GuidedFlown, avionics_buffers, telemetry_head, ticks_of
 from springback.simulation.onboard import Avionics
-from springback.simulation.pair.parts import carried_bodies, parts_of, with_carried
+from springback.simulation.pair.parts import carried_bodies, parts_of
 from springback.simulation.pair.stepping import advance_both
 from springback.simulation.record import FINISHED, FLYING, Model
 from springback.simulation.ticks import (
@@ -131,7 +133,8 @@ def beside_each_other(
         still = one.model.world.obstacles
         assert isinstance(still, SolidScene)
         bodies = carried_bodies(other.model.airframe, other.start, surface)
-        world = one.model.world._replace(obstacles=with_carried(still, bodies), laws=Forces(0.0))
+        scene = flown_scene(scene_with(still, bodies))
+        world = one.model.world._replace(obstacles=scene, laws=Forces(0.0))
         start = one.start._replace(bodies=parts_of(other.model.airframe, other.start))
         avionics = one.avionics
         if avionics is not None:
@@ -196,9 +199,9 @@ def _with_given_work(second: Any, first: Any) -> Any:
     trace = flown.trace
     if trace is not None and other.trace is not None:
         names = [name for name in other.trace.columns if name.endswith(".driven")]
-        given = -np.sum([other.trace[name] for name in names], axis=0)
+        got_then = np.array([other.trace[name] for name in names])
         values = trace.values.copy()
-        values[:, trace.columns.index("work.bodies.1.driven")] = given
+        values[:, trace.columns.index("work.bodies.1.driven")] = -got_then.sum(axis=0)
         trace = trace._replace(values=values)
     whole = flown._replace(motion=motion, trace=trace)
     return second._replace(flown=whole) if isinstance(second, GuidedFlown) else whole

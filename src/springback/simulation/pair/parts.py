@@ -10,8 +10,6 @@ import numpy as np
 
 from springback.contact.moving.bodies import CARRIED, MovingBody
 from springback.contact.moving.building import bodies_of
-from springback.contact.moving.scene import MOVING_FACES, MovingScene
-from springback.contact.scene.faces import SolidScene
 from springback.contact.scene.solids import CAPSULE, FRUSTUM
 from springback.contact.scene.table import Solid, scene_of
 from springback.contact.surfaces import Surface
@@ -65,9 +63,9 @@ def carried_bodies(airframe: Airframe, state: State, surface: Surface) -> tuple[
 
 
 def _disc(radius: float) -> Solid:
-    edge = 0.5 * THICKNESS
+    edge, half = 0.45 * THICKNESS, 0.05 * THICKNESS
     return Solid(
-        FRUSTUM, np.zeros(3), np.eye(3), (radius - edge, radius - edge, 0.0), edge, 0, 0.0, 0
+        FRUSTUM, np.zeros(3), np.eye(3), (radius - edge, radius - edge, half), edge, 0, 0.0, 0
     )
 
 
@@ -81,8 +79,3 @@ def _mobility(airframe: Airframe, arm: Arm | None) -> float:
     inertia = np.array(airframe.inertia)
     far = max(one.length + one.cage_radius for one in airframe.arms)
     return airframe.inverse_mass + slides + far**2 / float(np.linalg.eigvalsh(inertia)[0])
-
-
-def with_carried(still: SolidScene, bodies: tuple[MovingBody, ...]) -> MovingScene:
-    """World of a scene at rest and the parts of another vehicle."""
-    return MovingScene(still, bodies, MOVING_FACES.address)

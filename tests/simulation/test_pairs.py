@@ -1,0 +1,144 @@
+"""Two vehicles in one world: momentum, energy, and the same flight from either side."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from builders.cases import nonempty
+from springback.batch.pair import PairOfFlights, fly_pair
+from springback.contact.parameters import SurfaceSettings
+from springback.errors import InputError
+from springback.results.flight import fly
+from springback.results.measures import FlightMeasures
+
+SURFACE = SurfaceSettings(law="hunt-crossley", stiffness=7e4, dissipation=0.3, friction=0.5)
+
+
+def tables(x: float, speed: float, **more: Any) -> dict[str, Any]:
+    """A vehicle on the X axis, without gravity and thrust."""
+    start = {"position": [x, more.pop("y", 0.0), more.pop("z", 0.0)], "velocity": [speed, 0.0, 0.0]}
+    return {
+        "vehicle": more.pop("vehicle", "arq"),
+        "world": {"gravity": more.pop("gravity", 0.0), "obstacles": more.pop("obstacles", [])},
+        "start": start | {name: more.pop(name, 0.0) for name in ("yaw", "pitch")},
+        "simulation": {"duration": more.pop("duration", 0.12)},
+        **more,
+    }  # fmt: skip
+
+
+def impulse(measures: FlightMeasures) -> Any:
+    """Impulse of all contacts, world [N s]."""
+    return np.array([measures[f"impulse_{axis}"] for axis in "xyz"])  # type: ignore[literal-required]
+
+
+MEETINGS: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
+    "head-on": ({"x": 0.0, "speed": 1.5}, {"x": 0.7, "speed": -1.0, "yaw": np.pi}),
+    "glancing": ({"x": 0.0, "speed": 1.5}, {"x": 0.6, "speed": -1.0, "yaw": 2.6, "y": 0.22}),
+    "from above": ({"x": 0.0, "speed": 0.5, "pitch": 0.2},
+                   {"x": 0.55, "speed": -2.0, "yaw": 3.0, "z": 0.03, "pitch": -0.3}),
+    "rigid": ({"x": 0.0, "speed": 1.5, "vehicle": "quad"},
+              {"x": 0.7, "speed": -1.0, "yaw": 3.0, "vehicle": "quad"}),
+}  # fmt: skip
+
+
+def meeting(name: str) -> PairOfFlights:
+    """Both flights of a meeting."""
+    first, second = MEETINGS[name]
+    return fly_pair(tables(**first), tables(**second), surface=SURFACE)
+
+
+@pytest.mark.parametrize("name", MEETINGS)
+def test_force_and_opposite_force_are_equal(name: str) -> None:
+    """Momentum is kept to rounding at every instant, and each ledger closes."""
+    first, second = meeting(name)
+    assert first.measures["contacts"] >= 1.0
+    assert second.measures["contacts"] >= 1.0
+    pushes = [np.array([f.work[f"impulse.{axis}"] for axis in "xyz"]) for f in (first, second)]
+    assert np.abs(pushes[0]).max() > 0.02
+    assert np.abs(pushes[0] + pushes[1]).max() < 1e-12
+    assert np.array_equal(first.t, second.t)
+    for flight in nonempty((first, second)):
+        # At the default steps; a ring rolls over a rim of 9 mm as over other narrow edges.
+        assert abs(flight.measures["ledger_residual"] or 0.0) < 2e-5
+    given = [flight.measures["work_driven"] or 0.0 for flight in (first, second)]
+    assert given[0] == pytest.approx(-given[1], abs=1e-12)
+    assert abs(given[0]) > 1e-4
+
+
+def test_energy_of_both_together_is_kept_but_for_the_losses() -> None:
+    """What both had is what both have and what was lost; neither ledger hides the other's."""
+    first, second = meeting("head-on")
+
+    def total(name: str) -> float:
+        return sum(flight.measures[name] or 0.0 for flight in (first, second))  # type: ignore[literal-required]
+
+    lost = sum(
+        total(name)
+        for name in ("loss_arm", "loss_contact", "loss_friction", "loss_stop", "loss_settling")
+    )
+    assert lost > 0.1
+    before = 0.5 * first.scenario.vehicle.mass * (1.5**2 + 1.0**2)
+    assert total("energy_end") + lost == pytest.approx(before, rel=2e-6)
+
+
+def test_both_see_the_same_in_the_frame_of_the_other() -> None:
+    """Adding one velocity to both changes nothing that they feel."""
+    first, second = MEETINGS["head-on"]
+    still = fly_pair(tables(**first), tables(**second), surface=SURFACE)
+    moved = fly_pair(
+        tables(**{**first, "speed": 2.5}), tables(**{**second, "speed": 0.0}), surface=SURFACE
+    )
+    for one, other in zip(still, moved, strict=True):
+        for name in ("impact_peak_acceleration", "impulse_x", "touch_time", "touch_speed"):
+            assert one.measures[name] == pytest.approx(other.measures[name], rel=1e-6), name
+
+
+def test_apart_they_fly_alone() -> None:
+    """Two vehicles that do not meet fly as each would by itself, with pilots and noise."""
+    common: dict[str, Any] = {"gravity": 9.81, "duration": 0.1, "reference": {"type": "hold"}}
+    tables_of = [tables(x, 0.0, z=2.0, seed=k, **common) for k, x in enumerate((0.0, 5.0))]
+    together = fly_pair(*tables_of)
+    for flight, each in zip(together, nonempty(tables_of), strict=True):
+        alone = fly(each)
+        for axis in "xyz":  # steps as one rigid body alone, full ones together
+            assert flight.columns[axis][-1] == pytest.approx(alone.columns[axis][-1], abs=1e-9)
+        assert flight.telemetry["command1"].shape == alone.telemetry["command1"].shape
+
+
+def test_a_hovering_robot_is_hit_and_both_meet_the_ground() -> None:
+    """With pilot and recovery against one without: the alarm is raised, and its world is there."""
+    floor = {"type": "ground", "surface": "wall"}
+    common: dict[str, Any] = {"gravity": 9.81, "obstacles": [floor], "duration": 0.9, "z": 1.0}
+    hovers = tables(0.0, 0.0, reference={"type": "hold"}, recovery={}, **common)
+    comes = tables(0.8, -1.5, yaw=np.pi, **common)  # without thrust, it falls
+    comes["start"]["velocity"] = [-1.5, 0.0, 1.2]
+    first, second = fly_pair(hovers, comes)
+    assert first.telemetry["phase"].max() > 0.0
+    assert (second.measures["ground_time"] or 0.0) > (second.measures["touch_time"] or 9.0)
+    assert abs(first.measures["ledger_residual"] or 0.0) < 1e-4
+
+
+WRONG: dict[str, tuple[dict[str, Any], str]] = {
+    "another world": ({"gravity": 1.0}, "world: must be the same"),
+    "another duration": ({"duration": 0.3}, "simulation.duration: must be the same"),
+    "thrusts over time": ({"thrust": {"time": [0.0, 1.0], "values": [[1.0] * 4, [2.0] * 4]}}, "second.thrust"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("what", WRONG)
+def test_what_cannot_fly_together_is_refused(what: str) -> None:
+    """In one line that names the field."""
+    changes, words = WRONG[what]
+    with pytest.raises(InputError, match=words):
+        fly_pair(tables(0.0, 1.0), tables(0.7, 0.0, **changes))
+
+
+def test_a_moving_obstacle_is_not_struck_by_two() -> None:
+    """The world of two vehicles is at rest."""
+    ball = {"type": "sphere", "position": [3.0, 0.0, 0.0], "radius": 0.1, "surface": "wall",
+            "motion": {"type": "free", "mass": 1.0}}  # fmt: skip
+    with pytest.raises(InputError, match=r"world.obstacles\[0\]"):
+        fly_pair(tables(0.0, 1.0, obstacles=[ball]), tables(0.7, 0.0, obstacles=[ball]))
