@@ -308,10 +308,10 @@ class Minima(NamedTuple):
 
 
 #: Ratio of the golden section, and its steps: brackets of a sample end below 1e-11 rad.
-_GOLDEN, _STEPS = 0.5 * (math.sqrt(5.0) - 1.0), 44
+GOLDEN, STEPS = 0.5 * (math.sqrt(5.0) - 1.0), 44
 
 
-def ring_minima(field: Field, rings: Rings, samples: int = 1440) -> Minima:
+def ring_minima(field: Field, rings: Rings, samples: int = 1440, steps: int = STEPS) -> Minima:
     """The two lowest minima along rings, by samples all around and a golden-section search."""
     n, width = len(rings.centre), 2.0 * math.pi / samples
     angles = np.broadcast_to(width * np.arange(samples), (n, samples))
@@ -319,14 +319,18 @@ def ring_minima(field: Field, rings: Rings, samples: int = 1440) -> Minima:
     low = (gaps <= np.roll(gaps, 1, axis=1)) & (gaps < np.roll(gaps, -1, axis=1))
     order = np.argsort(np.where(low, gaps, np.inf), axis=1)[:, :4]
     is_low = np.take_along_axis(low, order, axis=1)
+    order = order[:, : max(1, int(is_low.any(axis=0).sum()))]
+    is_low = is_low[:, : order.shape[1]]
     middle = np.take_along_axis(angles, order, axis=1)
     a, b = middle - width, middle + width
-    for _ in range(_STEPS):
-        c, d = b - _GOLDEN * (b - a), a + _GOLDEN * (b - a)
+    for _ in range(steps):
+        c, d = b - GOLDEN * (b - a), a + GOLDEN * (b - a)
         left = field(rings.at(c)) < field(rings.at(d))
         a, b = np.where(left, a, c), np.where(left, d, b)
     found = 0.5 * (a + b)
     gap = np.where(is_low, field(rings.at(found)), np.inf)
+    if gap.shape[1] == 1:
+        gap, found = np.pad(gap, ((0, 0), (0, 1)), constant_values=np.inf), np.tile(found, 2)
     order = np.argsort(gap, axis=1)[:, :2]
     return Minima(np.take_along_axis(gap, order, axis=1), np.take_along_axis(found, order, axis=1))
 

@@ -249,7 +249,8 @@ MUTATIONS = (
     # solids
     Mutation("box, face outside", SOLIDS, "sx * out.x * inverse", "-sx * out.x * inverse", SCENE),
     Mutation("frustum, leans the other way", SOLIDS, "nx, nz = dz * inverse, -dx * inverse", "nx, nz = dz * inverse, dx * inverse", SCENE),
-    Mutation("window, filled", SOLIDS, "outline if outline.gap > -opening.gap", "outline if outline.gap > -1e9", SCENE),
+    Mutation("window, filled", SOLIDS, "return outline if outline.gap > inside.gap else inside", "return outline", SCENE),
+    Mutation("doorway, foot of a jamb leans away", SOLIDS, "a * outline.x + b * inside.x", "a * outline.x - b * inside.x", SCENE),
     Mutation("edges not rounded", SOLIDS, "found.gap - s.rounding", "found.gap", SCENE),
     Mutation("axes of a solid, transposed", SOLIDS, "ex * n.x + ey * n.y + ez * n.z", "Vec(ex @ n, ey @ n, ez @ n)", SCENE),
     Mutation("tree, far half left out", NEAREST, "elif previous != far and", "elif previous == far and", SCENE),
