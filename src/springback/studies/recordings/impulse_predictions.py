@@ -90,7 +90,7 @@ def struck(impacts: PlanarImpacts, restitution: float, friction: float) -> Array
 
 
 def misfit(predicted: Array, impacts: PlanarImpacts) -> Array:
-    """Length of each error of velocity in the metric of kinetic energy, of that before the impact."""
+    """Length of each error of velocity in the metric of kinetic energy, of that before."""
 
     def length(velocity: Array) -> Array:
         weighed = velocity * np.array([1.0, 1.0, GYRATION])

@@ -1,4 +1,4 @@
-"""Recorded impacts of an ellipse on a floor, and what six models said of them, from their own files.
+"""Recorded impacts of an ellipse on a floor, and what six models said of them, by their own files.
 
 The recordings are those of N. Fazeli and A. Rodriguez, MCube Lab (repository
 ``mcubelab/planar-impact-dataset``).  They have no licence, so none of their numbers is part of this
