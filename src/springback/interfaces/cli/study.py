@@ -1,4 +1,4 @@
-"""The commands `springback study why`, `choices`, `friction`, `detection` and `impacts`."""
+"""The commands `springback study`: why, choices, friction, detection, shapes and impacts."""
 
 from __future__ import annotations
 
@@ -209,6 +209,38 @@ def detection(
             }  # fmt: skip
         write_study(folder, "detection", data, detection_rows(results), drawn)
     output.print(data, "\n".join(data["sentences"]))
+    output.note_written()
+
+
+@study.command()
+@robots_option
+@click.option(
+    "--flights", type=click.IntRange(1, 1000), default=10, show_default=True,
+    help="Of each robot, shape, speed and setting.",
+)  # fmt: skip
+@seed_option
+@output_options("Folder for shapes.json, CSV.")
+def shapes(robots: tuple[str, ...], flights: int, seed: int, output: Output) -> None:
+    """Study what robots make of poles, edges, balls and leaning walls.
+
+    Errors of the normal and of the contact point that a robot estimates, relative to the truth, at
+    1, 2 and 3.5 m/s: with obstacles taken for upright faces, as its default is, and without.
+
+    \b
+    springback study shapes --out shapes
+    springback study shapes --robot my_vehicle.toml --flights 2 --out shapes
+    """
+    from springback.interfaces.reports.study_files import write_study
+    from springback.studies.collisions.shape_hits import shape_errors, shape_hits, shape_sentences
+
+    with output.folder() as folder:
+        output.note("hundreds of flights; the first run compiles for minutes")
+        with output.progress_bar("collisions with shapes") as show:
+            hits = shape_hits(flights, robots=robots, seed=seed, progress=show)
+        errors = shape_errors(hits)
+        rows, said = [row.as_dict() for row in errors], shape_sentences(errors)
+        write_study(folder, "shapes", {"errors": rows, "sentences": said}, {"shapes": rows}, {})
+    output.print(rows, "\n".join(said))
     output.note_written()
 
 
