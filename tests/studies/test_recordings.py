@@ -22,7 +22,7 @@ from springback.studies.recordings.impulse_predictions import (
     impact_sentences,
     misfit,
     predict_impacts,
-    struck,
+    velocities_after,
 )
 from springback.studies.recordings.planar_impacts import (
     GYRATION,
@@ -49,7 +49,7 @@ def drawn(count: int = COUNT, restitution: float = RESTITUTION, friction: float 
     lever = np.column_stack([aside, -height])
     models = np.zeros((count, len(MODELS), 3))
     one = PlanarImpacts(before, before, lever, models)
-    return one._replace(after=struck(one, restitution, friction))
+    return one._replace(after=velocities_after(one, restitution, friction))
 
 
 def written(folder: Path, impacts: PlanarImpacts, **others: Any) -> Path:
@@ -92,7 +92,7 @@ def test_the_law_keeps_momentum_and_bounces_as_it_should() -> None:
     weighed = np.array([1.0, 1.0, GYRATION])
     energies = [np.sum((v * weighed) ** 2, axis=1) for v in (impacts.before, impacts.after)]
     assert (energies[1] < energies[0]).all()
-    frictionless = struck(impacts, RESTITUTION, 0.0)
+    frictionless = velocities_after(impacts, RESTITUTION, 0.0)
     into, out = (at_contact(v, impacts.lever)[:, 1] for v in (impacts.before, frictionless))
     assert np.allclose(out, -RESTITUTION * into, rtol=1e-6)
     # With ẋ of the wrong sign the same impacts would contradict themselves.

@@ -231,12 +231,16 @@ def shapes(robots: tuple[str, ...], flights: int, seed: int, output: Output) -> 
     springback study shapes --robot my_vehicle.toml --flights 2 --out shapes
     """
     from springback.interfaces.reports.study_files import write_study
-    from springback.studies.collisions.shape_hits import shape_errors, shape_hits, shape_sentences
+    from springback.studies.collisions.shape_collisions import (
+        shape_collisions,
+        shape_errors,
+        shape_sentences,
+    )
 
     with output.folder() as folder:
         output.note("hundreds of flights; the first run compiles for minutes")
         with output.progress_bar("collisions with shapes") as show:
-            hits = shape_hits(flights, robots=robots, seed=seed, progress=show)
+            hits = shape_collisions(flights, robots=robots, seed=seed, progress=show)
         errors = shape_errors(hits)
         rows, said = [row.as_dict() for row in errors], shape_sentences(errors)
         write_study(folder, "shapes", {"errors": rows, "sentences": said}, {"shapes": rows}, {})

@@ -51,7 +51,7 @@ NONE = Vec(0.0, 0.0, 0.0)
 
 
 @executor()
-def _strike(airframe: Airframe, world: World, state: State, after: Array) -> None:
+def _after_impact(airframe: Airframe, world: World, state: State, after: Array) -> None:
     """Velocity of the centre and angular velocity after an impact."""
     work = Work(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, Vec(0.0, 0.0, 0.0))
     found = apply_impulses(airframe, world, Ring(0.1), Motion(state, work)).state
@@ -59,7 +59,7 @@ def _strike(airframe: Airframe, world: World, state: State, after: Array) -> Non
     after[2] = -found.angular_velocity.y
 
 
-def struck(impacts: PlanarImpacts, restitution: float, friction: float) -> Array:
+def velocities_after(impacts: PlanarImpacts, restitution: float, friction: float) -> Array:
     """Velocities after impacts, by the impulse law: ẋ, ẏ and θ̇, shape (impacts, 3).
 
     The plane of the recordings is that of X and Z, in which bodies turn about −Y.
@@ -85,7 +85,7 @@ def struck(impacts: PlanarImpacts, restitution: float, friction: float) -> Array
         state = at_rest._replace(
             velocity=Vec(vx, 0.0, vz), angular_velocity=Vec(0.0, -spin, 0.0)
         )  # fmt: skip
-        _strike(airframe, World((floor,), Impulses(0.0), 0.0), state, row)
+        _after_impact(airframe, World((floor,), Impulses(0.0), 0.0), state, row)
     return after
 
 
@@ -112,14 +112,14 @@ def fit_law(impacts: PlanarImpacts) -> FittedLaw:
     """Restitution and friction with the least mean misfit over some impacts."""
 
     def mean(numbers: Array) -> float:
-        return float(misfit(struck(impacts, numbers[0], numbers[1]), impacts).mean())
+        return float(misfit(velocities_after(impacts, numbers[0], numbers[1]), impacts).mean())
 
     found = minimize(mean, GUESS, method="Nelder-Mead", bounds=RANGES)
     e, mu = (float(x) for x in found.x)
     return FittedLaw(e, mu, float(found.fun), len(impacts.before))
 
 
-class PredictionErrors(NamedTuple):
+class ModelErrors(NamedTuple):
     """Errors of one model over some impacts: medians and 90 % quantiles, of what was measured."""
 
     model: str
@@ -137,24 +137,24 @@ class PredictionErrors(NamedTuple):
         return row
 
 
-def errors_of(model: str, predicted: Array, impacts: PlanarImpacts) -> PredictionErrors:
+def errors_of(model: str, predicted: Array, impacts: PlanarImpacts) -> ModelErrors:
     """Errors of velocities after some impacts."""
 
-    def told(error: Array) -> tuple[float, float]:
+    def spread(error: Array) -> tuple[float, float]:
         return float(np.median(error)), float(np.quantile(error, 0.9))
 
     def relative(found: Array, true: Array) -> tuple[float, float]:
-        return told(np.abs(found - true) / np.abs(true))
+        return spread(np.abs(found - true) / np.abs(true))
 
     gain = impacts.after[:, 2] - impacts.before[:, 2]
     ours, true = (at_contact(v, impacts.lever)[:, 1] for v in (predicted, impacts.after))
-    return PredictionErrors(
+    return ModelErrors(
         model,
         relative(predicted[:, 1], impacts.after[:, 1]),
         relative(ours, true),
         relative(predicted[:, 2], impacts.after[:, 2]),
-        told(np.abs(predicted[:, 2] - impacts.after[:, 2]) / np.abs(gain)),
-        told(misfit(predicted, impacts)),
+        spread(np.abs(predicted[:, 2] - impacts.after[:, 2]) / np.abs(gain)),
+        spread(misfit(predicted, impacts)),
     )
 
 
@@ -163,8 +163,8 @@ class ImpactPredictions(NamedTuple):
 
     law: FittedLaw
     unexplained: float  # `unexplained_spin` of all recordings
-    rest: tuple[PredictionErrors, ...]  # over all impacts that were not fitted on
-    blind: tuple[PredictionErrors, ...]  # over the last of them
+    rest: tuple[ModelErrors, ...]  # over all impacts that were not fitted on
+    blind: tuple[ModelErrors, ...]  # over the last of them
 
 
 #: Names of rows: the package's law; and the recorded change of ẋ and ẏ, taken as an impulse at the
@@ -183,9 +183,9 @@ def predict_impacts(impacts: PlanarImpacts, law: FittedLaw | None = None) -> Imp
     first, last = round(FITTED * count), round(BLIND * count)
     law = fit_law(impacts.part(slice(0, first))) if law is None else law
 
-    def errors(start: int) -> tuple[PredictionErrors, ...]:
+    def errors(start: int) -> tuple[ModelErrors, ...]:
         part = impacts.part(slice(start, count))
-        ours = errors_of(OURS, struck(part, law.restitution, law.friction), part)
+        ours = errors_of(OURS, velocities_after(part, law.restitution, law.friction), part)
         recorded = np.column_stack([part.after[:, :2], spin_by_impulse(part)])
         others = (errors_of(name, part.models[:, k], part) for k, name in enumerate(MODELS))
         return (ours, *others, errors_of(RECORDED, recorded, part))

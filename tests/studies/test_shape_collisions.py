@@ -12,11 +12,11 @@ from click.testing import CliRunner
 from builders.cases import nonempty
 from springback.interfaces.cli.app import cli
 from springback.scenario.scenario import scenario_from
-from springback.studies.collisions import shape_hits as study
-from springback.studies.collisions.shape_hits import (
+from springback.studies.collisions import shape_collisions as study
+from springback.studies.collisions.shape_collisions import (
     SHAPES,
-    ShapeHit,
-    fly_shape_hit,
+    ShapeCollision,
+    fly_shape_collision,
     shape_errors,
     shape_sentences,
     shape_tables,
@@ -46,23 +46,25 @@ def test_every_shape_stands_where_the_wall_was() -> None:
 
 def test_an_upright_wall_is_known_and_a_pole_between_two_arms_is_not_a_wall() -> None:
     """The normal of a wall to a tenth of a degree; a pole's within what friction deflects."""
-    wall = fly_shape_hit("wall", approach(), ARQ, 0, level=True)
+    wall = fly_shape_collision("wall", approach(), ARQ, 0, level=True)
     assert wall.touched
     assert wall.noticed
     assert not wall.body
     assert math.degrees(wall.directions["fused"]) < 0.5
     assert wall.contact_point < 0.01
-    leaning = fly_shape_hit("wall leaning back 20 deg", approach(), ARQ, 0, level=True)
+    leaning = fly_shape_collision("wall leaning back 20 deg", approach(), ARQ, 0, level=True)
     assert math.degrees(leaning.used) == pytest.approx(20.0, abs=0.5)
-    pole = fly_shape_hit("pole, radius 0.10 m", approach(), ARQ, 0, level=False)
+    pole = fly_shape_collision("pole, radius 0.10 m", approach(), ARQ, 0, level=False)
     assert pole.noticed
     assert math.degrees(pole.used) < 20.0
 
 
-def hit(angle: float, noticed: bool = True, body: bool = False) -> ShapeHit:
+def hit(angle: float, noticed: bool = True, body: bool = False) -> ShapeCollision:
     said = dict.fromkeys(study.SOURCES, angle if noticed else math.nan)
     used = angle if noticed else math.nan
-    return ShapeHit("arq", "wall", 2.0, True, True, noticed, said, used, 0.01 * angle, 1, body)
+    return ShapeCollision(
+        "arq", "wall", 2.0, True, True, noticed, said, used, 0.01 * angle, 1, body
+    )
 
 
 def test_errors_are_medians_of_those_noticed() -> None:
@@ -75,7 +77,7 @@ def test_errors_are_medians_of_those_noticed() -> None:
 
 
 def test_the_command_writes_its_table(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(study, "shape_hits", lambda *_, **__: [hit(0.1), hit(0.2)])
+    monkeypatch.setattr(study, "shape_collisions", lambda *_, **__: [hit(0.1), hit(0.2)])
     out = tmp_path / "out"
     ran = CliRunner().invoke(cli, ["study", "shapes", "--flights", "1", "--out", str(out)])
     assert ran.exit_code == 0, ran.output

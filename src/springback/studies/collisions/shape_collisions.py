@@ -28,13 +28,14 @@ from springback.random_streams import Purpose, stream
 from springback.recovery.state_machine import LOOK
 from springback.studies.detection import (
     Approach,
-    Array,
     ReadyTrial,
     approach_tables,
     fly_ready_trial,
 )
 from springback.studies.run_ups import ROBOTS, StudyVehicle, study_vehicles
 from springback.vehicle.state import ArmPose, arm_pose
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
 
 #: Speeds at contact [m/s].
 SPEEDS = (1.0, 2.0, 3.5)
@@ -82,7 +83,7 @@ SHAPES: dict[str, Callable[[float, float, float], dict[str, Any]]] = {
 }
 
 
-class ShapeHit(NamedTuple):
+class ShapeCollision(NamedTuple):
     """One collision with a shape, and what the robot said of it."""
 
     robot: str
@@ -181,9 +182,9 @@ def _contacts_at(model: Any, trace: Any, row: int) -> Iterator[tuple[int, float,
                 yield k, met.touch.normal, at, inward
 
 
-def fly_shape_hit(
+def fly_shape_collision(
     shape: str, approach: Approach, vehicle: StudyVehicle, seed: int, level: bool
-) -> ShapeHit:
+) -> ShapeCollision:
     """Fly one collision with a shape."""
     ready, guided = fly_ready_trial(shape_tables(shape, approach, vehicle, seed, level))
     touch, telemetry = guided.flown.record.first_impact.touch_time, guided.telemetry
@@ -192,7 +193,7 @@ def fly_shape_hit(
     words = (approach.robot, shape, approach.speed, level)
     if touch < 0.0 or not len(looking):
         nothing = dict.fromkeys(SOURCES, math.nan)
-        return ShapeHit(*words, touch >= 0.0, False, nothing, math.nan, math.nan, 0, False)
+        return ShapeCollision(*words, touch >= 0.0, False, nothing, math.nan, math.nan, 0, False)
     hit, over = guided.onboard.pilot.collision, float(telemetry["time"][looking[-1]])
     true = normal_impulse(ready, guided, touch, over)
     said = {
@@ -200,7 +201,7 @@ def fly_shape_hit(
         for name, way in zip(SOURCES, (hit.by_arms, hit.by_wrench, hit.by_fusion), strict=True)
     }
     off = np.array(hit.contact_point) - np.array(hit.position) - true.lever
-    return ShapeHit(
+    return ShapeCollision(
         *words, True, True, said, _angle(np.array(hit.direction), true.direction),
         float(np.linalg.norm(off)), true.arms, true.body,
     )  # fmt: skip
@@ -236,7 +237,7 @@ class ShapeErrors(NamedTuple):
         return row
 
 
-def shape_errors(hits: Sequence[ShapeHit]) -> list[ShapeErrors]:
+def shape_errors(hits: Sequence[ShapeCollision]) -> list[ShapeErrors]:
     """Errors of each robot with each shape, in the order of the hits."""
     cases = dict.fromkeys((one.robot, one.shape, one.level) for one in hits)
     found = []
@@ -247,21 +248,22 @@ def shape_errors(hits: Sequence[ShapeHit]) -> list[ShapeErrors]:
         found.append(
             ShapeErrors(
                 *case, len(mine), sum(not one.noticed for one in mine),
-                sum(one.body for one in mine), _told(angles["wrench"]),
-                _told(angles["fused"]), _told(used), _told([one.contact_point for one in mine]),
+                sum(one.body for one in mine), _spread(angles["wrench"]),
+                _spread(angles["fused"]), _spread(used),
+                _spread([one.contact_point for one in mine]),
             )
         )  # fmt: skip
     return found
 
 
-def _told(values: Sequence[float]) -> tuple[float, float]:
+def _spread(values: Sequence[float]) -> tuple[float, float]:
     known = np.array([value for value in values if not math.isnan(value)])
     if not len(known):
         return math.nan, math.nan
     return float(np.median(known)), float(np.quantile(known, 0.95))
 
 
-def shape_hits(
+def shape_collisions(
     flights: int = 10,
     *,
     robots: Sequence[str] = ROBOTS,
@@ -269,7 +271,7 @@ def shape_hits(
     speeds: Sequence[float] = SPEEDS,
     seed: int = 0,
     progress: Progress = silent,
-) -> list[ShapeHit]:
+) -> list[ShapeCollision]:
     """Fly all collisions, by robots that take obstacles for upright and by others that do not.
 
     Args:
@@ -288,7 +290,7 @@ def shape_hits(
     found = []
     for k, (vehicle, shape, level, speed, trial) in enumerate(asked):
         approach = Approach(vehicle.name, speed, 0.0, 0.0, trial)
-        found.append(fly_shape_hit(shape, approach, vehicle, seed, level))
+        found.append(fly_shape_collision(shape, approach, vehicle, seed, level))
         progress((k + 1) / len(asked))
     return found
 
