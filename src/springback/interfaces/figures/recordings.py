@@ -34,5 +34,5 @@ def impacts_figure(found: ImpactPredictions) -> Figure:
     chart.ax.set_xticks([2, 5, 10, 20, 50, 100], ["2", "5", "10", "20", "50", "100"])
     chart.ax.axhline(0.5, color=INK, lw=0.5)
     chart.ax.axhline(len(names) - 1.5, color=INK, lw=0.5)
-    chart.ax.legend(loc="lower left")
+    figure.legend(*chart.ax.get_legend_handles_labels(), loc="outside upper center", ncols=2)
     return figure
