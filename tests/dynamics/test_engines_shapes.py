@@ -8,14 +8,17 @@ take small steps: what is left are instants of touch, on which the package's ste
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
 from oracles import models
 from oracles.solid_loads import in_front
+from springback.contact.moving.parameters import ConstantMotion, SineMotion
 from springback.contact.parameters import SurfaceSettings
 from springback.contact.shapes import Ball, Box, Capsule, Edge, Pole
 
@@ -160,3 +163,71 @@ def test_locked_arms_meet_an_edge_as_in_the_engine() -> None:
         arms=tuple(replace(arm, stiffness=5e4, damping=900.0) for arm in scene.craft.arms),
     )
     agree(replace(scene, craft=craft), start)
+
+
+# -- shapes that move ------------------------------------------------------------------------------
+
+
+class Given(NamedTuple):
+    """A prescribed motion by the tests' own formulas: a displacement and an angle about an axis."""
+
+    about: tuple[float, float, float]
+    axis: tuple[float, float, float]
+    place: Callable[[float], tuple[Any, Any]]  # displacement [m] and its rate [m/s]
+    angle: Callable[[float], tuple[float, float]]  # [rad] and its rate [rad/s]
+
+    def __call__(self, time: float) -> models.Placed:
+        """Where the shape is."""
+        (moved, velocity), (angle, rate) = self.place(time), self.angle(time)
+        axis = np.array(self.axis) / np.linalg.norm(self.axis)
+        turn = Rotation.from_rotvec(angle * axis).as_matrix()
+        lever = -turn @ np.array(self.about)
+        position = np.array(self.about) + moved + lever
+        return models.Placed(
+            position, turn, velocity + np.cross(rate * axis, lever), rate * axis
+        )  # fmt: skip
+
+
+PUSH = np.array([-0.6, 0.2, 0.1])
+SWING, OFTEN = np.array([0.004, 0.0, 0.0]), 2.0 * math.pi * 12.0
+MOVING: dict[str, tuple[Any, Given]] = {
+    "box that comes and turns": (
+        SHAPES["box, corner first"].model_copy(
+            update={
+                "motion": ConstantMotion(
+                    type="constant", velocity=tuple(PUSH), turning=2.5, axis=(1.0, -1.0, 2.0)
+                )
+            }
+        ),
+        Given(
+            (0.5, 0.12, 0.0), (1.0, -1.0, 2.0), lambda t: (PUSH * t, PUSH), lambda t: (2.5 * t, 2.5)
+        ),
+    ),
+    "ball that swings": (
+        SHAPES["sphere"].model_copy(
+            update={
+                "motion": SineMotion(
+                    type="sine", amplitude=tuple(SWING), swing=0.3, frequency=12.0, phase=0.4
+                )
+            }
+        ),
+        Given(
+            (0.40, -0.05, 0.05), (0.0, 0.0, 1.0),
+            lambda t: (SWING * math.sin(OFTEN * t + 0.4), SWING * OFTEN * math.cos(OFTEN * t + 0.4)),
+            lambda t: (0.3 * math.sin(OFTEN * t + 0.4), 0.3 * OFTEN * math.cos(OFTEN * t + 0.4)),
+        ),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", MOVING)
+def test_impacts_on_shapes_that_move_are_those_of_the_engine(name: str) -> None:
+    """Gaps, dampers and friction by the velocity relative to the surface."""
+    shape, motion = MOVING[name]
+    scene, start = impact("box, corner first" if "box" in name else "sphere")
+    # With friction, so that the surface's own velocity along itself counts.
+    shape = shape.model_copy(update={"surface": RUBBER})
+    record = agree(replace(scene, solids=(models.Solid(shape, motion),)), start)
+    assert sum(count > 0 for count in record.contacts.arms) >= 1
+    still = models.fly(scene, start, until=DURATION, impact_step=STEP)
+    assert abs(still.record.peaks.acceleration - record.peaks.acceleration) > 1.0

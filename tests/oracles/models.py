@@ -23,6 +23,7 @@ from springback.dynamics.air import Still
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import Free, Rates, Slider, rates
 from springback.kernels.vectors import Mat3, Quat, Vec
+from springback.scenario.model import bodies_at_start
 from springback.simulation.flight import FlightRecord, fly_one
 from springback.simulation.record import Model, Timing
 from springback.vehicle.state import Airframe, Arm, Sphere, State, build_airframe
@@ -310,7 +311,8 @@ def fly(
     model = model_of(
         scene, until=until, impact_step=impact_step, free_step=free_step, hybrid=hybrid
     )
-    return fly_one(model, state_of(start), trace=trace)
+    state = state_of(start)._replace(bodies=bodies_at_start(model.world))
+    return fly_one(model, state, trace=trace)
 
 
 # -- scenes ----------------------------------------------------------------------------------------
