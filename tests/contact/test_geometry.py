@@ -1,6 +1,6 @@
 """Gaps and normals of every part against every built-in shape, beside an oracle that shares nothing.
 
-Some hundred poses of each pair; ten thousand by `python -m oracles.geometry` (docs/validation.md).
+Some hundred poses of each pair; ten thousand by `make geometry` (docs/validation.md).
 """
 
 from __future__ import annotations

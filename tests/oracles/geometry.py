@@ -2,8 +2,8 @@
 
 The oracle (`oracles.distances`) shares nothing with the package.  A line for each pair::
 
-    cd tests && python -m oracles.geometry                # 10 000 poses each, some minutes
-    cd tests && python -m oracles.geometry --poses 500 ring
+    make geometry                        # 10 000 poses each, some minutes
+    make geometry POSES=500 ONLY=ring    # of these parts or shapes
 
 Poses are drawn about each shape, half of them moved to between 15 mm of depth and 20 mm of gap.
 """
