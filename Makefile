@@ -3,7 +3,7 @@
 BIN = .venv/bin
 OUT ?= reproduction
 
-.PHONY: run test quick lint types layers pytest mutations attack fuzz docs bench lock web clean
+.PHONY: run test quick lint types layers pytest mutations geometry attack fuzz docs bench lock web clean
 
 run:
 	@tools/environment all
@@ -38,6 +38,12 @@ quick:
 mutations:
 	@tools/environment dev
 	PYTHONPATH=src $(BIN)/python tests/oracles/mutations.py $(MUTATIONS)
+
+# Gaps and normals of all parts and shapes beside a slow oracle: a table (docs/validation.md).
+POSES ?= 10000
+geometry:
+	@tools/environment dev
+	cd tests && ../$(BIN)/python -m oracles.geometry --poses $(POSES) $(ONLY)
 
 # Damage, foreign SQL, broken caches, Ctrl-C and kill -9 at any instant, and `make fuzz`: a table.
 attack:

@@ -49,11 +49,14 @@ LOOKED_AT = {
 #: Commands that come with other parts of the program.
 AWAITED: set[str] = set()
 #: Programs of others: not ours to test.
-OTHERS = {"pip", "dask", "uv", "make"}
+OTHERS = {"pip", "dask", "uv", "make", "git"}
 #: Flights that are shorter here than on the page: 20 s and 4 s of closed loop.
 SHORTER = {"steps.toml": "simulation.duration=0.2", "run_up.toml": "simulation.duration=0.2"}
 #: Scenarios that are read and checked with their overrides, but not flown, and why.
-READ = {"collision.toml": "compiles for a minute or two; tests/paper/test_resilience.py flies it"}
+READ = {
+    "collision.toml": "compiles for a minute or two; tests/paper/test_resilience.py flies it",
+    "pole.toml": "the same among shapes; tests/studies/test_shape_collisions.py flies such",
+}
 #: Python that is not run, by a word in it, and why.
 NOT_RUN = {"dask_jobqueue": "needs a Slurm cluster"}
 

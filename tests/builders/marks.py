@@ -32,6 +32,7 @@ SLOW = (
     "contact/test_rounding.py",
     "dynamics/test_conservation.py::test_impulses_never_add_energy",
     "dynamics/test_engines.py",
+    "dynamics/test_engines_shapes.py",
     "dynamics/test_lagrangian.py",
     "interfaces/animation/",
     "interfaces/cli/",

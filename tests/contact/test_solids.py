@@ -231,6 +231,11 @@ def test_a_doorway_has_no_sill_and_a_window_has_one() -> None:
     assert face(np.array([0.0, 0.0, 0.05]))[0] == pytest.approx(0.45, abs=1e-9)
     assert face(np.array([0.0, 0.0, 1.9]))[0] == pytest.approx(0.1, abs=1e-9)
     assert face(np.array([0.0, 0.6, 1.0]))[0] < 0.0
+    # Below the threshold the nearest are the feet of the jambs, however far below.
+    for depth in (0.1, 1.0, 3.0):
+        gap, normal = face(np.array([0.0, 0.05, -depth]))
+        assert gap == pytest.approx(math.hypot(depth + 1e-3, 0.401) - 1e-3, abs=1e-12)
+        assert normal == pytest.approx([0.0, -0.401 / (gap + 1e-3), -(depth + 1e-3) / (gap + 1e-3)])
     window = Window(type="window", position=(0, 0, 1.25), size=(3.0, 2.5), opening=(0.9, 1.0), **s)
     face = face_of(solids_of(window, 0, 0)[0])
     assert face(np.array([0.0, 0.0, 0.05]))[0] < 0.0

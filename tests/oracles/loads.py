@@ -1,6 +1,7 @@
 """Forces on a compliant vehicle, written down in NumPy for engines that know nothing of them.
 
-Spring, damper and end stops of each arm, rotor thrust and torque, and the cage against a plane wall.
+Spring, damper and end stops of each arm, rotor thrust and torque, and the cage against a plane wall, or
+against solids (`oracles.solid_loads`).
 The engines bring the inertia: masses, centrifugal and Coriolis terms, gravity.
 """
 
@@ -13,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from oracles.models import ArmSpec, Scene, Start
+from oracles.solid_loads import Part, solids_force
 
 Array = NDArray[np.float64]
 
@@ -101,8 +103,8 @@ def hull_force(scene: Scene, now: Start) -> tuple[Array, Array]:
     return force, np.cross(lowest, force)
 
 
-def loads(scene: Scene, now: Start) -> Loads:
-    """All loads at one instant."""
+def loads(scene: Scene, now: Start, time: float = 0.0) -> Loads:
+    """All loads at one instant; those of solids instead of the wall's if there are any."""
     r, omega = now.rotation, now.rotation @ now.omega
     joint, forces, moments, points = [], [], [], []
     for arm, length, rate, thrust in zip(
@@ -111,13 +113,29 @@ def loads(scene: Scene, now: Start) -> Loads:
         e = r @ np.array([math.cos(arm.azimuth), math.sin(arm.azimuth), 0.0])
         end = now.position + length * e
         velocity = now.velocity + rate * e + np.cross(omega, length * e)
-        force, moment = wall_force(scene, r, e, end, velocity, omega, arm.cage_radius)
+        if scene.solids:
+            part = Part(end, velocity, omega, r, e, arm.cage_radius, scene.contact)
+            force, moment = solids_force(scene.solids, part, time)
+        else:
+            force, moment = wall_force(scene, r, e, end, velocity, omega, arm.cage_radius)
         joint.append(arm_force(arm, length, rate))
         forces.append(force + thrust * r[:, 2])
         moments.append(moment + arm.torque_ratio * thrust * r[:, 2])
         points.append(end)
     arrays = (np.array(entries) for entries in (joint, forces, moments, points))
-    return Loads(*arrays, *hull_force(scene, now))
+    return Loads(*arrays, *_on_body(scene, now, time))
+
+
+def _on_body(scene: Scene, now: Start, time: float) -> tuple[Array, Array]:
+    """Force on the main body's hull, and its moment about the main body; all in world axes."""
+    hull, r = scene.craft.hull, now.rotation
+    if not scene.solids or hull is None:
+        return hull_force(scene, now)
+    omega, lever = r @ now.omega, r @ hull.centre
+    centre, velocity = now.position + lever, now.velocity + np.cross(omega, lever)
+    part = Part(centre, velocity, omega, r, r[:, 0], hull.radius, "sphere")
+    force, moment = solids_force(scene.solids, part, time)
+    return force, moment + np.cross(lever, force)
 
 
 class Flight(NamedTuple):

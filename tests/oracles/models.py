@@ -7,6 +7,7 @@ NamedTuples change, this file is what has to follow.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import Any, Literal, NamedTuple
 
@@ -17,10 +18,12 @@ from scipy.spatial.transform import Rotation
 from springback.contact.cage import ArmTip, Ring
 from springback.contact.obstacles import Forces, Impulses, Obstacle, Plane, World
 from springback.contact.surfaces import BothTangents, Surface, ThreeHalves, VerticalTangent
+from springback.contact.worlds import obstacles
 from springback.dynamics.air import Still
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import Free, Rates, Slider, rates
 from springback.kernels.vectors import Mat3, Quat, Vec
+from springback.scenario.model import bodies_at_start
 from springback.simulation.flight import FlightRecord, fly_one
 from springback.simulation.record import Model, Timing
 from springback.vehicle.state import Airframe, Arm, Sphere, State, build_airframe
@@ -87,6 +90,24 @@ class Wall:
     restitution: float = -1.0  # not negative: the impulse law
 
 
+class Placed(NamedTuple):
+    """Where a body is that moves, and how, at one instant; world axes."""
+
+    position: Array  # of its own origin [m]
+    turn: Array  # its axes to those at the beginning, shape (3, 3)
+    velocity: Array  # of that origin [m/s]
+    omega: Array  # [rad/s]
+
+
+@dataclass(frozen=True)
+class Solid:
+    """A built-in shape with its surface, by its settings; perhaps it moves."""
+
+    shape: Any
+    motion: Callable[[float], Placed] | None = None
+    """Where it has moved to from its place in the settings, by time [s]; None stays."""
+
+
 @dataclass(frozen=True)
 class Scene:
     """Everything but the state."""
@@ -98,6 +119,8 @@ class Scene:
     rounding: float = 0.0
     friction_axes: Literal["both", "vertical"] = "both"
     gravity: float = 9.81
+    solids: tuple[Solid, ...] = ()
+    """Beside the wall; with any, the package's world is a scene without the wall."""
 
 
 @dataclass(frozen=True)
@@ -152,6 +175,9 @@ def airframe_of(craft: Craft) -> Airframe:
 
 def world_of(scene: Scene) -> World:
     """The package's world of a scene."""
+    if scene.solids:
+        settings = [solid.shape for solid in scene.solids]
+        return World(obstacles(settings), Forces(0.0), scene.gravity)
     wall = scene.wall
     axes = BothTangents(0.0) if scene.friction_axes == "both" else VerticalTangent(0.0)
     surface = Surface(
@@ -285,7 +311,8 @@ def fly(
     model = model_of(
         scene, until=until, impact_step=impact_step, free_step=free_step, hybrid=hybrid
     )
-    return fly_one(model, state_of(start), trace=trace)
+    state = state_of(start)._replace(bodies=bodies_at_start(model.world))
+    return fly_one(model, state, trace=trace)
 
 
 # -- scenes ----------------------------------------------------------------------------------------

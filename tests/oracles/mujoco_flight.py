@@ -66,7 +66,9 @@ class Vehicle:
         self.main = self.model.body("main").id
         self.arms = [self.model.body(f"arm{k}").id for k in range(len(craft.arms))]
 
-    def accelerations(self, scene: Scene, now: Start) -> tuple[Array, Array, Array]:
+    def accelerations(
+        self, scene: Scene, now: Start, time: float = 0.0
+    ) -> tuple[Array, Array, Array]:
         """v̇ in world axes, ω̇ in body axes and l̈ at one instant."""
         model, data = self.model, self.data
         unit = now.attitude / np.linalg.norm(now.attitude)
@@ -74,7 +76,7 @@ class Vehicle:
         data.qvel[:] = np.concatenate([now.velocity, now.omega, now.rates])
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
-        acting = loads(scene, now)
+        acting = loads(scene, now, time)
         applied = np.zeros(model.nv)
         applied[6:] = acting.joint
         for k, body in enumerate(self.arms):
@@ -111,9 +113,9 @@ def fly(scene: Scene, start: Start, *, until: float, step: float) -> Flight:
     def placed(x: Array) -> Start:
         return Start(x[:3], x[3:7], x[7:10], x[10:13], x[13 : 13 + count], x[13 + count :])
 
-    def slope(x: Array) -> Array:
+    def slope(x: Array, time: float) -> Array:
         here = placed(x)
-        linear, angular, arms = vehicle.accelerations(scene, here)
+        linear, angular, arms = vehicle.accelerations(scene, here, time)
         turning = _quaternion_rate(here.attitude, here.omega)
         return np.concatenate([here.velocity, turning, linear, angular, here.rates, arms])
 
@@ -121,12 +123,14 @@ def fly(scene: Scene, start: Start, *, until: float, step: float) -> Flight:
         [start.position, start.attitude, start.velocity, start.omega, start.lengths, start.rates]
     )
     peak = 0.0
-    for _ in range(round(until / step)):
-        k1 = slope(x)
-        k2 = slope(x + 0.5 * step * k1)
-        k3 = slope(x + 0.5 * step * k2)
-        k4 = slope(x + step * k3)
+    for k in range(round(until / step)):
+        t = k * step
+        k1 = slope(x, t)
+        k2 = slope(x + 0.5 * step * k1, t + 0.5 * step)
+        k3 = slope(x + 0.5 * step * k2, t + 0.5 * step)
+        k4 = slope(x + step * k3, t + step)
         peak = max(peak, float(np.linalg.norm(k1[7:10])))
         x = x + step / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
         x[3:7] /= np.linalg.norm(x[3:7])
+    peak = max(peak, float(np.linalg.norm(slope(x, until)[7:10])))
     return Flight(placed(x), peak)

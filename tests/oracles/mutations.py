@@ -38,6 +38,7 @@ QUICK = ("dynamics", "accelerations or locked_arms or textbook or power or gap o
 HULL = ("contact/test_hull.py dynamics/test_clearance.py dynamics/test_rigid.py", "not abreast")
 RINGS = ("contact/test_rings.py contact/test_cages.py", "not flight")
 SCENE = ("contact/test_solids.py contact/test_scene.py", "")
+CHARACTER = ("recovery/test_characterisation.py", "leaning or tangent or taken")
 GRIP = ("contact/test_step_bounds.py contact/test_hull.py", "bound or truth or rate")
 RULES = ("simulation/test_observed.py", "")
 PEAK = ("simulation/test_peaks.py simulation/test_observed.py", "")
@@ -78,6 +79,7 @@ HULL_CONTACT, HULL_STATE, TOUCHES = (
 RECORD, IMPULSES, GRIPS = "simulation/record.py", "dynamics/impulse.py", "contact/step_bounds.py"
 CLEARANCE, CROSSING = "dynamics/clearance.py", "dynamics/crossing.py"
 PEAKS, RING = "simulation/peaks.py", "contact/rings.py"
+ACTION, CHARACTERISATION = "recovery/line_of_action.py", "recovery/characterisation.py"
 SOLIDS, NEAREST, FACES = (
     "contact/scene/solids.py",
     "contact/scene/nearest.py",
@@ -249,7 +251,8 @@ MUTATIONS = (
     # solids
     Mutation("box, face outside", SOLIDS, "sx * out.x * inverse", "-sx * out.x * inverse", SCENE),
     Mutation("frustum, leans the other way", SOLIDS, "nx, nz = dz * inverse, -dx * inverse", "nx, nz = dz * inverse, dx * inverse", SCENE),
-    Mutation("window, filled", SOLIDS, "outline if outline.gap > -opening.gap", "outline if outline.gap > -1e9", SCENE),
+    Mutation("window, filled", SOLIDS, "return outline if outline.gap > inside.gap else inside", "return outline", SCENE),
+    Mutation("doorway, foot of a jamb leans away", SOLIDS, "a * outline.x + b * inside.x", "a * outline.x - b * inside.x", SCENE),
     Mutation("edges not rounded", SOLIDS, "found.gap - s.rounding", "found.gap", SCENE),
     Mutation("axes of a solid, transposed", SOLIDS, "ex * n.x + ey * n.y + ez * n.z", "Vec(ex @ n, ey @ n, ez @ n)", SCENE),
     Mutation("tree, far half left out", NEAREST, "elif previous != far and", "elif previous == far and", SCENE),
@@ -258,6 +261,9 @@ MUTATIONS = (
     Mutation("scene, inner corner is one face", FACES, "if low.second.gap < FAR:", "if low.second.gap < -FAR:", SCENE),
     Mutation("scene, flush solids touch twice", FACES, "apart @ apart > APART * APART", "apart @ apart >= 0.0", SCENE),
     Mutation("scene, clearance overstated", FACES, "bound = nearest.gap - part.radius", "bound = nearest.gap + part.radius", SCENE),
+    # what a robot makes of a collision
+    Mutation("normal leans the other way", ACTION, "Vec(t.x * along, t.y * along, force.z)", "Vec(t.x * along, t.y * along, -force.z)", CHARACTER),
+    Mutation("a pole has a common tangent", CHARACTERISATION, "tangent_normal(line.span, ahead), ahead)", "tangent_normal(line.span, ahead), tangent_normal(line.span, ahead))", CHARACTER),
     # impulses
     Mutation("impulse, pulls", IMPULSES, "impulse = n * part[k] + rub[k]", "impulse = -n * part[k] + rub[k]", IMPULSE),
     Mutation("impulse, friction drives", IMPULSES, "t * -(stopping if", "t * (stopping if", IMPULSE),

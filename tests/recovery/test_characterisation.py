@@ -202,13 +202,53 @@ def test_without_any_push_the_way_of_flight_is_taken() -> None:
     assert hit.direction == Vec(1.0, 0.0, 0.0)
 
 
-def test_obstacles_that_may_lean_have_no_normal_by_fusion() -> None:
-    anywhere = RecoverySettings.model_validate({"characterisation": {"level": False}})
+def anywhere() -> Characterisation:
+    """Settings for obstacles of any inclination."""
+    free = RecoverySettings.model_validate({"characterisation": {"level": False}})
+    return free.collision_characterisation(157.0)
+
+
+@pytest.mark.parametrize("lean", [-50.0, -20.0, 0.0, 35.0, 60.0])
+@pytest.mark.parametrize("pitch", [0.0, -25.0])
+def test_the_normal_of_a_leaning_face_is_found_whatever_the_friction_along_it(
+    lean: float, pitch: float
+) -> None:
+    """A level robot's cage is level where it touches, and so is the friction here."""
+    flat, up = math.cos(math.radians(lean)), math.sin(math.radians(lean))
+    heading = level(20.0)
+    normal = Vec(flat * heading.x, flat * heading.y, up)
+    friction = 0.3 if pitch == 0.0 else 0.0
     hit = characterisation_error(
-        level(20.0), 0.3, {0: 2.0}, settings=anywhere.collision_characterisation(157.0)
+        normal, friction, {0: 2.0}, yaw=0.0, pitch=pitch, settings=anywhere()
     )
-    assert hit.by_fusion == NONE
-    assert hit.direction == hit.by_wrench
+    assert np.allclose(hit.by_fusion, normal, atol=1e-6)
+    assert np.linalg.norm(hit.by_fusion) == pytest.approx(1.0)
+    upright = characterisation_error(normal, friction, {0: 2.0}, pitch=pitch)
+    assert upright.by_fusion.z == 0.0
+
+
+def test_two_cages_on_a_pole_have_no_common_tangent() -> None:
+    """Pushed from ahead and to the right: an upright wall would be straight ahead."""
+    heading = level(25.0)
+    pushes = {0: 1.0, 1: 1.0}
+    any_shape = characterisation_error(
+        heading, 0.0, pushes, pressed=(5e-3, 5e-3, 0.0, 0.0), settings=anywhere()
+    )
+    assert off(heading, any_shape.by_fusion) == pytest.approx(0.0, abs=1e-6)
+    wall = characterisation_error(heading, 0.0, pushes, pressed=(5e-3, 5e-3, 0.0, 0.0))
+    assert off(level(0.0), wall.by_fusion) == pytest.approx(0.0, abs=1e-6)
+
+
+def test_friction_up_a_face_is_taken_for_an_inclination() -> None:
+    """What force and moment cannot tell apart: atan μ."""
+    force = -np.array([1.0, 0.0, 0.4])
+    r = rotation(LEVEL)
+    blow = blow_of(r, level(0.0), {0: 2.0 * force})
+    found = no_observation(AIRFRAME)._replace(attitude=LEVEL, lengths=LENGTHS)
+    start = CollisionStart(NONE, Vec(1.0, 0.0, 0.0), NONE)
+    at = Estimate(NONE, LEVEL, NONE, NONE)
+    hit = characterise(anywhere(), inputs(seen(), at, wrench_of(blow)), found, start)
+    assert hit.by_fusion.z == pytest.approx(math.sin(math.atan(0.4)), abs=1e-6)
 
 
 @pytest.mark.parametrize("pitch", [0.0, -45.0, 30.0])

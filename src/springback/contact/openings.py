@@ -20,6 +20,9 @@ from springback.contact.shapes import (
 from springback.quantities import Length, Position
 from springback.settings import problem
 
+#: Depth to which the opening of a doorway goes on below its lintel [m] (chosen: keeps 1e-13 m).
+BELOW = 1e3
+
 
 class WallOpening(AttitudeShape):
     """An upright wall with an opening; it faces along its own x."""
@@ -120,6 +123,7 @@ class Doorway(WallOpening):
         axes, (w, h), (width, height) = self._panel_axes(), self.opening, self.size
         halves, edge = self._halves(min(0.5 * (width - w), height - h)), self.edge_radius
         centre = np.array(self.position) + 0.5 * height * axes[1]
-        # The opening goes on below the floor.
-        hole = (0.5 * w + edge, h + edge, -0.5 * height)
+        # The opening goes on below the floor, so far that its own end is never the nearest.
+        top = -0.5 * height + h + edge
+        hole = (0.5 * w + edge, 0.5 * BELOW, top - 0.5 * BELOW)
         return [SolidShape(WINDOW, centre, axes, (*halves, *hole), edge)]

@@ -24,6 +24,7 @@ from springback.recovery.line_of_action import (
     Pass,
     direction_of,
     face_normal,
+    leaning_normal,
     level_normal,
     lever_of,
     pass_of,
@@ -273,8 +274,10 @@ def bearing(
 
     If the line of action passes one cage at an angle that friction allows, the normal is the
     direction of the force turned back by that angle.  If it passes between two cages, both were
-    hit, and the normal is that of their common tangent.  Unless obstacles are upright there is no
-    normal.
+    hit, and the normal is that of their common tangent.  That is its projection onto the plane of
+    the cages: an upright obstacle has one normal with it, of another the force tells the rest.
+    One that need not be upright need not be plane either: two cages on a pole or an edge have no
+    common tangent, and the direction of the force is taken.
 
     Args:
         settings: Settings.
@@ -292,10 +295,11 @@ def bearing(
     line: Pass = pass_of(airframe, lengths, carried, lever_of(wrench.recent))
     felt = pressed_arms(settings, pressed, line)
     both = (abs(line.sine) >= ONE_ARM) | (tree_sum(felt) > 1.5)
-    normal = select(both, tangent_normal(line.span, ahead), face_normal(ahead, line.sine))
-    return Bearing(
-        direction_of(-impulse, settings.level), level_normal(r, normal) * settings.level, line
-    )
+    common = select(settings.level > 0.5, tangent_normal(line.span, ahead), ahead)
+    normal = select(both, common, face_normal(ahead, line.sine))
+    free = r @ leaning_normal(normal, inward)
+    whole = select(settings.level > 0.5, level_normal(r, normal), free)
+    return Bearing(direction_of(-impulse, settings.level), whole, line)
 
 
 @kernel

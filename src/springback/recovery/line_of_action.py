@@ -145,6 +145,22 @@ def level_normal(r: Mat3, t: Vec) -> Vec:
 
 
 @kernel
+def leaning_normal(t: Vec, force: Vec) -> Vec:
+    """Normal of a face of any inclination, from its projection and the contact force.
+
+    A cage is tangent to the face, so the normal has no part along the cage there: it lies between
+    its projection t and the body's z axis.  Of the force, friction along the cage is left out so;
+    friction across it is not, and deflects what is found.
+
+    Args:
+        t: Unit vector in the plane of the cages, body axes.
+        force: From robot to obstacle, body axes.
+    """
+    along = force @ t
+    return direction_of(Vec(t.x * along, t.y * along, force.z), 0.0)
+
+
+@kernel
 def face_normal(ahead: Vec, sine: float) -> Vec:
     """Normal of a face from the direction of the force, which is turned from it by asin sine."""
     bounded = select(sine > 1.0, 1.0, select(sine < -1.0, -1.0, sine))

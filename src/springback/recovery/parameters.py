@@ -137,7 +137,9 @@ class CharacterisationSettings(Settings):
     share: Annotated[float, Unit("", above=0.0, most=1.0)] = 0.1
     """An arm in front was hit if its compression is this share of the largest. Chosen."""
     level: bool = True
-    """True if obstacles are upright, as all of the paper's are, so that f_c⁰ is level."""
+    """True if obstacles are upright faces, as all of the paper's are, so that f_c⁰ is level; false
+    for poles, edges, balls and leaning faces, where friction deflects it (`springback study
+    shapes`)."""
 
 
 class ResponseSettings(Settings):

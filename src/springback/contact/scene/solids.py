@@ -164,10 +164,13 @@ def _plate(q: Vec, half_thickness: float, section: PlanarFace) -> Face:
 
 @kernel
 def _cut(outline: PlanarFace, opening: PlanarFace) -> PlanarFace:
-    """An outline without an opening."""
-    return (
-        outline if outline.gap > -opening.gap else PlanarFace(-opening.gap, -opening.x, -opening.y)
-    )
+    """An outline without an opening; below a doorway both are positive, at right angles."""
+    inside = PlanarFace(-opening.gap, -opening.x, -opening.y)
+    if outline.gap > 0.0 and inside.gap > 0.0:
+        length = math.sqrt(outline.gap * outline.gap + inside.gap * inside.gap)
+        a, b = outline.gap / length, inside.gap / length
+        return PlanarFace(length, a * outline.x + b * inside.x, a * outline.y + b * inside.y)
+    return outline if outline.gap > inside.gap else inside
 
 
 @kernel

@@ -1,6 +1,8 @@
-"""The commands `springback study why`, `choices`, `friction` and `detection`."""
+"""The commands `springback study`: why, choices, friction, detection, shapes and impacts."""
 
 from __future__ import annotations
+
+from pathlib import Path
 
 import click
 
@@ -207,4 +209,85 @@ def detection(
             }  # fmt: skip
         write_study(folder, "detection", data, detection_rows(results), drawn)
     output.print(data, "\n".join(data["sentences"]))
+    output.note_written()
+
+
+@study.command()
+@robots_option
+@click.option(
+    "--flights", type=click.IntRange(1, 1000), default=10, show_default=True,
+    help="Of each robot, shape, speed and setting.",
+)  # fmt: skip
+@seed_option
+@output_options("Folder for shapes.json, CSV.")
+def shapes(robots: tuple[str, ...], flights: int, seed: int, output: Output) -> None:
+    """Study what robots make of poles, edges, balls and leaning walls.
+
+    Errors of the normal and of the contact point that a robot estimates, relative to the truth, at
+    1, 2 and 3.5 m/s: with obstacles taken for upright faces, as its default is, and without.
+
+    \b
+    springback study shapes --out shapes
+    springback study shapes --robot my_vehicle.toml --flights 2 --out shapes
+    """
+    from springback.interfaces.reports.study_files import write_study
+    from springback.studies.collisions.shape_collisions import (
+        shape_collisions,
+        shape_errors,
+        shape_sentences,
+    )
+
+    with output.folder() as folder:
+        output.note("hundreds of flights; the first run compiles for minutes")
+        with output.progress_bar("collisions with shapes") as show:
+            hits = shape_collisions(flights, robots=robots, seed=seed, progress=show)
+        errors = shape_errors(hits)
+        rows, said = [row.as_dict() for row in errors], shape_sentences(errors)
+        write_study(folder, "shapes", {"errors": rows, "sentences": said}, {"shapes": rows}, {})
+    output.print(rows, "\n".join(said))
+    output.note_written()
+
+
+@study.command()
+@click.argument("folder", type=click.Path(path_type=Path))
+@click.option("--frozen", is_flag=True, help="Take the published numbers instead of fitting.")
+@output_options("Folder for impacts.json, CSV, figure.")
+def impacts(folder: Path, frozen: bool, output: Output) -> None:
+    """Predict recorded impacts of an ellipse on a floor, beside six models stored with them.
+
+    FOLDER is your copy of github.com/mcubelab/planar-impact-dataset, which has no licence: nothing
+    of it comes with springback, and nothing is fetched. Restitution and friction of the impulse law
+    are fitted on the first fifth of the impacts, the others are predicted.
+
+    \b
+    git clone https://github.com/mcubelab/planar-impact-dataset
+    springback study impacts planar-impact-dataset --out impacts
+    """
+    from springback.interfaces.reports.study_files import write_study
+    from springback.studies.recordings.impulse_predictions import (
+        FROZEN,
+        impact_sentences,
+        predict_impacts,
+    )
+    from springback.studies.recordings.planar_impacts import read_planar_impacts
+
+    recorded, figures = read_planar_impacts(folder), output.wants_figures()
+    with output.folder() as written:
+        with output.spinner("impacts"):
+            found = predict_impacts(recorded, FROZEN if frozen else None)
+        said = impact_sentences(found)
+        rows = [
+            {"impacts": name, **row.as_dict()}
+            for name, part in (("not fitted on", found.rest), ("last 30 %", found.blind))
+            for row in part
+        ]
+        law = found.law._asdict()
+        data = {"law": law, "unexplained spin": found.unexplained, "errors": rows}
+        drawn = {}
+        if figures:
+            from springback.interfaces.figures.recordings import impacts_figure
+
+            drawn = {"predicted": impacts_figure(found)}
+        write_study(written, "impacts", data | {"sentences": said}, {"impacts": rows}, drawn)
+    output.print(data, "\n".join(said))
     output.note_written()

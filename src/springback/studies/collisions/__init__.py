@@ -1,0 +1,1 @@
+"""Studies of what a robot makes of its collisions."""
