@@ -7,7 +7,6 @@ yaw``, relative to the element that holds them unless ``relative_to`` names anot
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -87,9 +86,15 @@ class _SdfModel:
                 inner = model.frame(name.removeprefix(f"{model.name}::"), asked_by)
                 return self.pose_of_model(model) @ inner
         for model in self.inner:
-            if model.is_merged and any(node.get("name") == name for node in model.node.nodes):
+            if model.is_merged and model.has_frame(name):
                 return self.pose_of_model(model) @ model.frame(name, asked_by)
         raise asked_by.problem(f"pose: there is no frame {name!r} to be relative to")
+
+    def has_frame(self, name: str) -> bool:
+        """True if a node of this model has a name, or one of those that are merged into it."""
+        merged = (model for model in self.inner if model.is_merged)
+        own = any(node.get("name") == name for node in self.node.nodes)
+        return own or any(model.has_frame(name) for model in merged)
 
     def pose_of(self, node: XmlNode, default: str = "") -> FramePose:
         """Pose of a node in this model.
@@ -385,14 +390,12 @@ def add_geometry(
         _add_mesh(found, shape, name, pose, friction, folder)
     elif kind == "heightmap":
         uri = _child(shape, "uri")
-        size, place = _vector(shape, "size", "1 1 1", above=0.0), _vector(shape, "pos", "0 0 0")
-        moved = pose @ from_angles(place, (0.0, 0.0, 0.0))
+        across = _vector(shape, "size", "1 1 1", above=0.0)
+        moved = pose @ from_angles(_vector(shape, "pos", "0 0 0"), (0.0, 0.0, 0.0))
         path = found_file(uri.text, folder, found.search)
-        add_relief(found, name, moved, path, (size[0], size[1]), size[2], friction)
+        add_relief(found, name, moved, path, (across[0], across[1]), across[2], friction)
     else:
-        iterator: Iterator[XmlNode] = iter(shape.nodes)
-        more = f" of {sum(1 for _ in iterator)} points and numbers" if kind == "polyline" else ""
-        found.leave_out(name, f"is a {kind}{more}")
+        found.leave_out(name, f"is of shape {kind}")
 
 
 def _add_mesh(
