@@ -29,9 +29,9 @@ from springback.scenario.worlds.xml_text import XmlNode, xml_root
 
 Attributes = Mapping[str, str]
 
-#: Most files that are included (chosen), and notations of an attitude beside the quaternion.
+#: Most files that are included (chosen), and notations of an attitude.
 MOST_INCLUDES = 1000
-NOTATIONS = ("axisangle", "xyaxes", "zaxis", "euler")
+NOTATIONS = ("quat", "axisangle", "xyaxes", "zaxis", "euler")
 #: Elements of a body that make others: not represented.
 MAKERS = {
     "replicate": "repeats what it holds",
@@ -236,11 +236,11 @@ class MjcfReader:
         if "fromto" in given and count > 1:
             line = node.numbers(given["fromto"], "fromto [m]", 6)
             local, length = self._between(node, line)
-            size = node.numbers(text, "size [m]", range(count - 1, 4), above=None)
-            size = [*size[: count - 1], 0.5 * length]
+            across = node.numbers(text, "size [m]", range(1, 4))[0]
+            size = [across] * (count - 1) + [0.5 * length]  # a box is as wide as it is deep
         else:
             local = self._pose(node, given)
-            size = node.numbers(text, "size [m]", range(count, 4), above=None)[:count]
+            size = node.numbers(text, "size [m]", range(count, 4))[:count]
         for value in size:
             if not value > 0.0:
                 raise node.problem(f"size: must be above 0 m (got {value:g} m)")
