@@ -55,7 +55,9 @@ def imported(folder: Path, name: str, text: str | bytes, **options: Any) -> Impo
 
 def sdf(*models: str) -> str:
     """A world in SDF that holds some models."""
-    return f'<?xml version="1.0"?>\n<sdf version="1.9"><world name="w">{"".join(models)}</world></sdf>'
+    return (
+        f'<?xml version="1.0"?>\n<sdf version="1.9"><world name="w">{"".join(models)}</world></sdf>'
+    )
 
 
 def sdf_model(name: str, geometry: str, pose: str = "0 0 0 0 0 0", extra: str = "") -> str:

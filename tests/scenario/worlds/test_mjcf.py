@@ -128,8 +128,12 @@ def test_a_friction_that_is_not_given_is_the_surface_s(tmp_path: Path) -> None:
 
 def test_includes_are_put_in_their_place(tmp_path: Path) -> None:
     (tmp_path / "parts").mkdir()
-    (tmp_path / "parts" / "post.xml").write_text('<mujocoinclude><geom name="p" size="0.1 1" type="capsule"/></mujocoinclude>')
-    (tmp_path / "common.xml").write_text('<mujoco><compiler angle="radian"/><default><geom euler="0.3 0 0"/></default></mujoco>')
+    (tmp_path / "parts" / "post.xml").write_text(
+        '<mujocoinclude><geom name="p" size="0.1 1" type="capsule"/></mujocoinclude>'
+    )
+    (tmp_path / "common.xml").write_text(
+        '<mujoco><compiler angle="radian"/><default><geom euler="0.3 0 0"/></default></mujoco>'
+    )
     text = '<mujoco><include file="common.xml"/><worldbody><body pos="1 2 3" euler="0 0 1"><include file="parts/post.xml"/></body></worldbody></mujoco>'
     world = imported(tmp_path, "m.xml", text)
     assert check_against_mujoco(tmp_path / "m.xml", named_parts(world)) == 1
@@ -144,8 +148,12 @@ def test_includes_are_put_in_their_place(tmp_path: Path) -> None:
 def test_what_is_not_represented_is_listed_by_name(tmp_path: Path) -> None:
     tetra = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]]
     faces = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]]
-    stl = bytes(80) + struct.pack("<I", 4) + b"".join(
-        struct.pack("<12fH", 0, 0, 0, *(x for k in face for x in tetra[k]), 0) for face in faces
+    stl = (
+        bytes(80)
+        + struct.pack("<I", 4)
+        + b"".join(
+            struct.pack("<12fH", 0, 0, 0, *(x for k in face for x in tetra[k]), 0) for face in faces
+        )
     )
     (tmp_path / "t.stl").write_bytes(stl)
     text = """<mujoco><asset><mesh name="t" file="t.stl"/><mesh name="v" vertex="0 0 0 1 0 0 0 1 0 0 0 1"/>

@@ -67,7 +67,11 @@ def test_poses_nest(tmp_path: Path, seed: int) -> None:
 
 
 def test_frames_follow_what_they_are_attached_to(tmp_path: Path) -> None:
-    a, b, c = [1.0, 2.0, 3.0, 0.1, 0.2, 0.3], [0.5, 0.0, 0.0, 0.0, 0.4, 0.0], [0.0, 1.0, 0.0, 0.7, 0.0, 0.0]
+    a, b, c = (
+        [1.0, 2.0, 3.0, 0.1, 0.2, 0.3],
+        [0.5, 0.0, 0.0, 0.0, 0.4, 0.0],
+        [0.0, 1.0, 0.0, 0.7, 0.0, 0.0],
+    )
     model = (
         f'<model name="m"><static>true</static><link name="l"><pose>{text(a)}</pose></link>'
         f'<frame name="f" attached_to="l"><pose>{text(b)}</pose></frame>'
@@ -200,7 +204,11 @@ def test_includes_are_found_along_the_search_path(tmp_path: Path) -> None:
     )
     found = imported(tmp_path / "worlds", "w.world", world, search=[models])
     parts = named_parts(found)
-    assert parts["crate/l/c"].position == (0.0, 0.0, 0.5)  # its own pose, where the include has none
+    assert parts["crate/l/c"].position == (
+        0.0,
+        0.0,
+        0.5,
+    )  # its own pose, where the include has none
     assert parts["crate/l/c"].size == (1.0, 1.0, 1.0)  # the newest of model.config
     check_box(parts["s/low/l/c"], Frame([2, 0, 0, 0, 0, 1]).then(Frame([0, 0, 0.5, 0, 0, 0])))
     check_box(parts["s/high/l/c"], Frame([2, 0, 0, 0, 0, 1]).then(Frame([0.1, 0, 1.5, 0, 0, 0.3])))
@@ -209,7 +217,9 @@ def test_includes_are_found_along_the_search_path(tmp_path: Path) -> None:
     alone = read_world(tmp_path / "worlds" / "w.world")
     assert len(alone.unrepresented) == 2
     assert all("there is no model://" in line for line in alone.unrepresented)
-    with pytest.raises(InputError, match="has 2 elements that cannot be represented: crate: there is"):
+    with pytest.raises(
+        InputError, match="has 2 elements that cannot be represented: crate: there is"
+    ):
         read_world(tmp_path / "worlds" / "w.world", missing="refuse")
 
 
@@ -234,7 +244,9 @@ def test_includes_that_cannot_be_followed(tmp_path: Path) -> None:
     )
     world = tmp_path / "w.sdf"
     world.write_text(sdf("<include><uri>model://stack</uri></include>"))
-    with pytest.raises(InputError, match=r"includes itself: w\.sdf -> model\.sdf -> model-1_7\.sdf -> model\.sdf"):
+    with pytest.raises(
+        InputError, match=r"includes itself: w\.sdf -> model\.sdf -> model-1_7\.sdf -> model\.sdf"
+    ):
         read_world(world, search=[models])
     secret = tmp_path / "secret.sdf"
     secret.write_text(sdf(sdf_model("a", BOX)))
@@ -279,7 +291,12 @@ def test_what_is_not_represented_is_listed_by_name(tmp_path: Path) -> None:
     }
     (tmp_path / "hill.tif").write_bytes(b"x")
     models = [sdf_model(name, shape) for name, shape in shapes.items()]
-    others = ['<actor name="walker"/>', '<population name="crowd"/>', '<light name="lamp"/>', "<plugin/>"]
+    others = [
+        '<actor name="walker"/>',
+        '<population name="crowd"/>',
+        '<light name="lamp"/>',
+        "<plugin/>",
+    ]
     found = imported(tmp_path, "w.sdf", sdf(*models, *others))
     named = [line.partition(":")[0].partition("/")[0] for line in found.unrepresented]
     assert sorted(named) == sorted([*shapes, "walker", "crowd"])
@@ -288,8 +305,13 @@ def test_what_is_not_represented_is_listed_by_name(tmp_path: Path) -> None:
 
 
 def test_what_moves_is_at_rest_and_said(tmp_path: Path) -> None:
-    model = sdf_model("door", BOX).replace("<static>true</static>", "<static>false</static>").replace(
-        "</model>", '<joint name="hinge" type="revolute"><parent>world</parent><child>link</child></joint></model>'
+    model = (
+        sdf_model("door", BOX)
+        .replace("<static>true</static>", "<static>false</static>")
+        .replace(
+            "</model>",
+            '<joint name="hinge" type="revolute"><parent>world</parent><child>link</child></joint></model>',
+        )
     )
     found = imported(tmp_path, "w.sdf", sdf(model))
     assert len(found.parts) == 1
@@ -323,12 +345,17 @@ def test_wrong_numbers_name_file_and_line(tmp_path: Path, geometry: str) -> None
 
 def test_frames_that_are_not_there_or_go_round(tmp_path: Path) -> None:
     pose = '<link name="link"><pose relative_to="{}"/>'
-    for name, said in (("g", "there is no frame 'g'"), ("f", "is relative to itself: f -> link -> f")):
+    for name, said in (
+        ("g", "there is no frame 'g'"),
+        ("f", "is relative to itself: f -> link -> f"),
+    ):
         frame = '<frame name="f"><pose relative_to="link"/></frame>'
         model = sdf_model("a", BOX, extra=frame).replace('<link name="link">', pose.format(name))
         with pytest.raises(InputError, match=said):
             imported(tmp_path, "w.sdf", sdf(model))
-    chain = "".join(f'<frame name="f{k}"><pose relative_to="f{k + 1}"/></frame>' for k in range(3000))
+    chain = "".join(
+        f'<frame name="f{k}"><pose relative_to="f{k + 1}"/></frame>' for k in range(3000)
+    )
     model = sdf_model("a", BOX, extra=chain).replace('<link name="link">', pose.format("f0"))
     with pytest.raises(InputError, match="depend on too many others"):
         imported(tmp_path, "w.sdf", sdf(model))

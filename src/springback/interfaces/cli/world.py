@@ -87,8 +87,11 @@ def convert(
 ) -> None:  # fmt: skip
     """Write FILE as obstacles of a scenario in TOML, each with its name as a comment.
 
+    An OctoMap can be written as an occupancy grid, too, if the file of --out ends in .npz.
+
     \b
     springback world convert warehouse.sdf --out obstacles.toml --surface-of 'shelf*=mat'
+    springback world convert lab.bt --out lab.npz
     """
     from springback.errors import InputError
     from springback.files import write_atomically
@@ -96,11 +99,32 @@ def convert(
 
     if out.exists() and not force:
         raise InputError(f"{out}: exists; give --force to replace it")
+    if out.suffix == ".npz":
+        _write_cells(file, out)
+        terminal.note(f"written to {out}, for an obstacle of type occupancy")
+        return
     found = _read(file, search, surface, surfaces, bounds, missing)
     write_atomically(out, world_toml(found, out.absolute().parent))
     for line in found.unrepresented:
         say(f"warning: not represented: {line}")
     terminal.note(f"{_summary(found)}; written to {out}")
+
+
+def _write_cells(file: Path, out: Path) -> None:
+    """Write an OctoMap as an occupancy grid."""
+    import io
+
+    import numpy as np
+
+    from springback.errors import InputError
+    from springback.files import write_atomically
+    from springback.scenario.worlds.octomap import occupancy_arrays
+
+    if file.suffix.lower() not in (".bt", ".ot"):
+        raise InputError(f"{out}: only an OctoMap (.bt, .ot) becomes an occupancy grid")
+    held = io.BytesIO()
+    np.savez_compressed(held, **occupancy_arrays(file))
+    write_atomically(out, held.getvalue())
 
 
 def _read(

@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import re
 import struct
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -26,6 +27,7 @@ MOST_NODES, MOST_CELLS = 20_000_000, 100_000_000
 COLOUR = {"OcTree": 0, "ColorOcTree": 3}
 
 Array = np.ndarray[Any, np.dtype[np.int64]]
+Cells = np.ndarray[Any, np.dtype[np.bool_]]
 
 
 def read_octomap(found: Collector) -> None:
@@ -38,9 +40,7 @@ def read_octomap(found: Collector) -> None:
         InputError: If the file is no such tree, or damaged, or needs too many boxes.
     """
     name = str(found.path)
-    cell, cubes = occupied_cubes(file_bytes(found.path), name)
-    if not len(cubes):
-        raise InputError(f"{name}: has no occupied cell")
+    cell, cubes = _read(found.path)
     for k, (low, high) in enumerate(_boxes(cubes, name)):
         pose = FramePose(np.eye(3), 0.5 * cell * (low + high))
         found.box(f"box {k}", pose, (cell * (high - low)).tolist())
@@ -137,12 +137,15 @@ def _full_leaves(body: bytes, colour: int) -> tuple[list[tuple[int, int, int, in
     return found, at
 
 
-def _boxes(cubes: Array, name: str) -> list[tuple[Any, Any]]:
-    """Cubes joined to boxes that do not overlap: least and largest corners, in cells.
+def occupied_cells(cubes: Array, name: str) -> tuple[Cells, Array]:
+    """Cells of the box around some cubes, true if occupied, and the place of the first.
 
     Args:
         cubes: Of `occupied_cubes`.
         name: Of the file, for errors.
+
+    Raises:
+        InputError: If the box is too large.
     """
     least = cubes[:, :3].min(axis=0)
     shape = (cubes[:, :3] + cubes[:, 3:]).max(axis=0) - least
@@ -154,6 +157,37 @@ def _boxes(cubes: Array, name: str) -> list[tuple[Any, Any]]:
     taken = np.zeros(shape, dtype=bool)
     for x, y, z, side in (cubes - [*least, 0]).tolist():
         taken[x : x + side, y : y + side, z : z + side] = True
+    return taken, least
+
+
+def occupancy_arrays(path: Path) -> dict[str, Any]:
+    """Occupancy grid of a tree: arrays ``occupancy``, ``cell`` [m], ``origin`` [m] of an .npz.
+
+    Raises:
+        InputError: If the file is no tree, or damaged, or has nothing occupied.
+    """
+    cell, cubes = _read(path)
+    taken, least = occupied_cells(cubes, str(path))
+    return {"occupancy": taken, "cell": cell, "origin": cell * least}
+
+
+def _read(path: Path) -> tuple[float, Array]:
+    """Size of a cell [m] and the occupied cubes of a file, of which there are some."""
+    cell, cubes = occupied_cubes(file_bytes(path), str(path))
+    if not len(cubes):
+        raise InputError(f"{path}: has no occupied cell")
+    return cell, cubes
+
+
+def _boxes(cubes: Array, name: str) -> list[tuple[Any, Any]]:
+    """Cubes joined to boxes that do not overlap: least and largest corners, in cells.
+
+    Args:
+        cubes: Of `occupied_cubes`.
+        name: Of the file, for errors.
+    """
+    taken, least = occupied_cells(cubes, name)
+    shape = taken.shape
     found: list[tuple[Any, Any]] = []
     flat, at = taken.reshape(-1), 0
     while at < len(flat):
@@ -164,7 +198,7 @@ def _boxes(cubes: Array, name: str) -> list[tuple[Any, Any]]:
         if len(found) >= MOST_ELEMENTS:
             raise InputError(
                 f"{name}: needs more than {MOST_ELEMENTS} boxes; use a coarser resolution, or make "
-                "it an occupancy grid (.npz)"
+                f"it an occupancy grid: springback world convert {name} --out cells.npz"
             )
         row = taken[x, y, z:]
         up = z + (len(row) if row.all() else int(np.argmin(row)))
