@@ -65,7 +65,9 @@ def test_too_many_boxes_become_an_occupancy_grid(tmp_path: Path) -> None:
     board = {c for c in itertools.product(range(28), range(28), range(28)) if sum(c) % 2 == 0}
     path = tmp_path / "w.bt"
     path.write_bytes(octomap_binary(board, 0.5))
-    with pytest.raises(InputError, match="needs more than 10000 boxes; .* world convert .*w.bt --out"):
+    with pytest.raises(
+        InputError, match=r"needs more than 10000 boxes; .* world convert .*w\.bt --out"
+    ):
         read_world(path)
     out = tmp_path / "w.npz"
     done = CliRunner().invoke(cli, ["world", "convert", str(path), "--out", str(out)])
@@ -112,9 +114,7 @@ def test_blocks_are_boxes_between_their_extents(tmp_path: Path) -> None:
 def test_bounds_are_walls_if_they_are_wanted(tmp_path: Path) -> None:
     parts = named_parts(imported(tmp_path, "w.json", json.dumps(WORLD), bounds=True))
     assert parts["bounds least z"].height == -1.0
-    walls = {
-        name: (one.position, one.normal) for name, one in parts.items() if one.type == "wall"
-    }
+    walls = {name: (one.position, one.normal) for name, one in parts.items() if one.type == "wall"}
     assert walls == {
         "bounds least x": ((-5.0, 0.0, 0.0), (1.0, 0.0, 0.0)),
         "bounds most x": ((5.0, 0.0, 0.0), (-1.0, 0.0, 0.0)),
@@ -127,7 +127,10 @@ def test_bounds_are_walls_if_they_are_wanted(tmp_path: Path) -> None:
 
 
 WRONG = [
-    ({"blocks": [{"extents": [1, 1, 0, 1, 0, 1]}]}, r"w\.json: blocks\[0\]: extents: must be least"),
+    (
+        {"blocks": [{"extents": [1, 1, 0, 1, 0, 1]}]},
+        r"w\.json: blocks\[0\]: extents: must be least",
+    ),
     ({"blocks": [{"extents": [0, 1]}]}, r"blocks\[0\]: extents: must be six numbers"),
     ({"blocks": [3]}, r"must be six numbers \(got None\)"),
     ({"blocks": [{"extents": [0, 1, 0, 1, 0, True]}]}, r"must be finite numbers \(got True\)"),
