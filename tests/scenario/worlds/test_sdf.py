@@ -315,10 +315,7 @@ def test_what_moves_is_at_rest_and_said(tmp_path: Path) -> None:
     )
     found = imported(tmp_path, "w.sdf", sdf(model))
     assert len(found.parts) == 1
-    assert found.remarks == (
-        "door: can move there, and stands still here",
-        "door: is at rest; its joints do not move: hinge",
-    )
+    assert found.remarks == ("door: can move there (joint hinge), and is at rest here",)
 
 
 WRONG = {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
@@ -164,13 +165,15 @@ def _lines(found: Imported) -> list[str]:
 
 
 def _numbers(part: NamedObstacle) -> str:
-    """Place and sizes of an obstacle in words [m, rad]."""
+    """Place and sizes of an obstacle in words [m]."""
     words = []
     for key in SHOWN:
         value = getattr(part.obstacle, key, None)
         if value is None or (key in ("roll", "pitch", "yaw") and not value):
             continue
         shown = value if isinstance(value, str) else _number_text(value)
+        if key in ("roll", "pitch", "yaw"):
+            shown = f"{math.degrees(value):.5g} deg"
         words.append(f"{key} {shown}")
     friction = getattr(getattr(part.obstacle, "surface", None), "friction", None)
     return ", ".join(words + ([] if friction is None else [f"friction {friction:g}"]))

@@ -25,7 +25,7 @@ LEVEL = 1e-9
 Table = dict[str, Any]
 
 
-class FileElement(NamedTuple):
+class WorldElement(NamedTuple):
     """An element with a shape, as a built-in obstacle in the frame of the file."""
 
     name: str
@@ -33,8 +33,8 @@ class FileElement(NamedTuple):
     friction: float | None  # of the file
 
 
-class LeftOut(NamedTuple):
-    """An element that cannot be represented."""
+class WorldRemark(NamedTuple):
+    """An element that cannot be represented, or is so in another way."""
 
     name: str
     reason: str
@@ -43,10 +43,10 @@ class LeftOut(NamedTuple):
 class WorldContent(NamedTuple):
     """All that was found in a file."""
 
-    elements: tuple[FileElement, ...]
-    missing: tuple[LeftOut, ...]
+    elements: tuple[WorldElement, ...]
+    missing: tuple[WorldRemark, ...]
     """What vehicles could hit, and is not represented."""
-    remarks: tuple[LeftOut, ...]
+    remarks: tuple[WorldRemark, ...]
     """What is represented in another way than the file has it, by name."""
     ignored: tuple[tuple[str, int], ...]
     """What nothing can hit, by kind, and how many."""
@@ -69,9 +69,9 @@ class Collector:
         self.search = (path.parent, *search)
         self.kinds = frozenset(kinds)
         self.files: list[Path] = [path]
-        self._elements: list[FileElement] = []
-        self._missing: list[LeftOut] = []
-        self._remarks: list[LeftOut] = []
+        self._elements: list[WorldElement] = []
+        self._missing: list[WorldRemark] = []
+        self._remarks: list[WorldRemark] = []
         self._ignored: Counter[str] = Counter()
         self._names: Counter[str] = Counter()
 
@@ -99,15 +99,15 @@ class Collector:
             what = f"friction {friction:g} of the file is taken as {MOST_FRICTION:g}"
             self.remark(name, what)
             friction = MOST_FRICTION
-        self._elements.append(FileElement(self._own_name(name), table, friction))
+        self._elements.append(WorldElement(self._own_name(name), table, friction))
 
     def leave_out(self, name: str, reason: str) -> None:
         """Note what cannot be represented, and why."""
-        self._missing.append(LeftOut(name, reason))
+        self._missing.append(WorldRemark(name, reason))
 
     def remark(self, name: str, what: str) -> None:
         """Note what is represented in another way."""
-        self._remarks.append(LeftOut(name, what))
+        self._remarks.append(WorldRemark(name, what))
 
     def ignore(self, kind: str, count: int = 1) -> None:
         """Count what nothing can hit."""

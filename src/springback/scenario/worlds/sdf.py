@@ -257,11 +257,11 @@ class SdfReader:
             if joint.get("type") not in STILL
         ]
         has_shape = any(True for link in model.node.all("link") for _ in link.all("collision"))
-        if not model.is_static and has_shape:
-            self._found.remark(name, "can move there, and stands still here")
-        if moving:
+        if moving and has_shape:
             joints = ", ".join(moving[:3]) + (", ..." if len(moving) > 3 else "")
-            self._found.remark(name, f"is at rest; its joints do not move: {joints}")
+            self._found.remark(name, f"can move there (joint {joints}), and is at rest here")
+        elif not model.is_static and has_shape:
+            self._found.remark(name, "can move there, and stands still here")
         for node in model.node.nodes:
             if node.tag in UNTOUCHED:
                 self._found.ignore(node.tag)
