@@ -248,8 +248,8 @@ def _named(scenario: ScenarioTables) -> Iterator[tuple[str, Any]]:
 
 
 def _is_far(one: Any, place: Vec, reach: float) -> bool:
-    """True if an obstacle of one box is farther than the reach of a vehicle [m]."""
-    if not isinstance(one, Box):
+    """True if an obstacle of one box at rest is farther than the reach of a vehicle [m]."""
+    if not isinstance(one, Box) or one.motion is not None:
         return False
     radius = 0.5 * math.hypot(*one.size) + reach
     return bool(math.dist(one.position, (place.x, place.y, place.z)) > radius)

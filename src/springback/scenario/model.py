@@ -208,8 +208,9 @@ def true_airframe(
 
 def world_numbers(world: WorldSettings, own: Sequence[Own] = ()) -> World:
     """Obstacles and gravity; ``own`` are the user's own shapes, those that the world names, too."""
-    known = [one for one in single_obstacles(world.obstacles) if not isinstance(one, UserShape)]
-    built = obstacles(known, own)
+    entries = (entry for entry in world.obstacles if not isinstance(entry, UserShape))
+    known = [(k, one) for k, entry in enumerate(entries) for one in single_obstacles([entry])]
+    built = obstacles([one for _, one in known], own, numbers=[k for k, _ in known])
     if isinstance(built, MovingScene):
         return World(flown_scene(built), Forces(0.0), world.gravity)
     impulsive = isinstance(built, SolidScene) or any(

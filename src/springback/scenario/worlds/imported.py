@@ -49,6 +49,8 @@ class ImportedElement(Settings):
         table = self.obstacle
         if table.get("type") not in KINDS:
             raise problem(f"must be {', '.join(KINDS)}", "obstacle.type")
+        if "motion" in table:
+            raise problem("cannot be given: elements are at rest", "obstacle.motion")
         for key in {*POINTS, *DIRECTIONS} & table.keys():
             value = table[key]
             if not isinstance(value, list | tuple) or len(value) != 3 or not _numbers(value):
