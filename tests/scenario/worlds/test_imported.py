@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import time
@@ -19,6 +20,8 @@ from builders.world_files import BOX, imported, named_parts, sdf, sdf_model, see
 from springback import InputError, read_scenario, read_world
 from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import read_plan
+from springback.contact.cage import moving_bodies
+from springback.contact.moving.bodies import ABSENT
 from springback.contact.scene.faces import SolidScene
 from springback.interfaces.cli.app import cli
 from springback.interfaces.replay.geometry import drawables
@@ -296,3 +299,18 @@ def test_convert_writes_obstacles_and_warns(tmp_path: Path) -> None:
     ):
         with pytest.raises(InputError, match=said):
             raise run("convert", str(path), "--out", str(out), *words).exception or AssertionError
+
+
+def test_a_file_of_another_content_than_noted_is_refused(tmp_path: Path) -> None:
+    whole = IMPORT + f'content = "{hashlib.sha256(ALL.encode()).hexdigest()}"\n'
+    assert len(scenario(tmp_path, ALL, whole).world.obstacles[0].parts) == 9  # type: ignore[union-attr]
+    with pytest.raises(InputError, match=r"w\.sdf: was changed: it has another content than"):
+        scenario(tmp_path, ALL + " ", whole)
+
+
+def test_moving_obstacles_keep_their_numbers_beside_an_import(tmp_path: Path) -> None:
+    ball = '\n[[world.obstacles]]\ntype = "sphere"\nposition = [9, 0, 5]\nradius = 0.2\nsurface = "wall"\n'
+    moved = ball + 'motion = { type = "constant", velocity = [0, 0, 1] }\n'
+    model = scenario(tmp_path, ALL, IMPORT + moved).flight_model()
+    bodies = [body for body in moving_bodies(model.world.obstacles) if body.kind != ABSENT]
+    assert [body.obstacle for body in nonempty(bodies)] == [1.0]

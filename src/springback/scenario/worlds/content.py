@@ -191,14 +191,13 @@ class Collector:
         self.add(name, table, friction)
 
     def mesh(
-        self, name: str, pose: FramePose, file: Path, scale: Sequence[float],
+        self, name: str, pose: FramePose, file: Path, scale: float,
         friction: float | None = None,
     ) -> None:  # fmt: skip
-        """A mesh of a file, of which it has the suffix."""
+        """A mesh of a file, of which a unit is ``scale`` metres."""
         roll, pitch, yaw = pose.angles()
-        factors: Any = scale[0] if len(set(scale)) == 1 else list(scale)
         table: Table = {"type": "mesh", "file": str(file), "position": pose.place.tolist()}
-        table |= _turned(roll, pitch, yaw) | ({} if factors == 1.0 else {"scale": factors})
+        table |= _turned(roll, pitch, yaw) | ({} if scale == 1.0 else {"scale": scale})
         self.files.append(file)
         self.add(name, table, friction)
 

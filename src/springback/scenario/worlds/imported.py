@@ -4,28 +4,33 @@ from __future__ import annotations
 
 import fnmatch
 import functools
+import hashlib
 import math
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, Literal, NamedTuple, get_args
+from typing import Annotated, Any, Literal, NamedTuple, get_args
 
 import numpy as np
 from pydantic import Field, TypeAdapter, ValidationError, model_validator
 
+from springback.contact.library import SURFACES
 from springback.contact.parameters import SurfaceSettings
 from springback.contact.shapes import Place
 from springback.contact.worlds import BuiltIn, ObstacleSettings
 from springback.errors import InputError, excerpt, within
 from springback.problems import dotted_path, problem_paths
 from springback.quantities import LARGEST, Angle, Factor
-from springback.scenario.worlds.content import WorldContent
+from springback.scenario.worlds.content import WorldContent, WorldRemark
 from springback.scenario.worlds.files import world_content
+from springback.scenario.worlds.paths import file_bytes
 from springback.settings import Settings, problem
 
 #: Types of built-in obstacles.
 KINDS = tuple(get_args(kind.model_fields["type"].annotation)[0] for kind in get_args(BuiltIn))
 #: Keys of tables that are points, and those that are directions.
 POINTS, DIRECTIONS = ("position", "start", "end"), ("normal", "axis")
+#: Types whose form is in a file of its own.
+FORMS = ("mesh", "heightmap", "occupancy")
 #: Names that a message lists at most (chosen).
 MOST_NAMED = 3
 #: Imports that are remembered (chosen: a campaign mostly flies the same again).
@@ -103,6 +108,8 @@ class Imported(Settings):
     """What is represented in another way than the file has it, likewise."""
     ignored: tuple[str, ...] = ()
     """What nothing can hit, by kind: pictures, lights, plugins."""
+    content: Annotated[str, Field(pattern=r"^(|[0-9a-f]{64})$")] = ""
+    """SHA-256 of the file, which is refused if it has another content."""
 
     @model_validator(mode="after")
     def _representable(self) -> Imported:
@@ -225,19 +232,37 @@ def content_table(content: WorldContent) -> dict[str, Any]:
     for known, table in _TABLES:
         if known is content:
             return table
-    elements = tuple(
-        ImportedElement.model_construct(name=one.name, obstacle=one.table, friction=one.friction)
-        for one in content.elements
-    )
-    table = {
-        "elements": elements,
-        "unrepresented": tuple(f"{one.name}: {one.reason}" for one in content.missing),
+    elements, missing = list[ImportedElement](), list(content.missing)
+    for one in content.elements:
+        table, why = _with_form(one.table)
+        if why:
+            missing.append(WorldRemark(one.name, why))
+            continue
+        elements.append(
+            ImportedElement.model_construct(name=one.name, obstacle=table, friction=one.friction)
+        )
+    found: dict[str, Any] = {
+        "elements": tuple(elements),
+        "unrepresented": tuple(f"{one.name}: {one.reason}" for one in missing),
         "remarks": tuple(f"{one.name}: {one.reason}" for one in content.remarks),
         "ignored": tuple(f"{count} {kind}" for kind, count in content.ignored if count),
     }
-    _TABLES.append((content, table))
+    _TABLES.append((content, found))
     del _TABLES[:-LATEST]
-    return table
+    return found
+
+
+def _with_form(table: dict[str, Any]) -> tuple[dict[str, Any], str]:
+    """A raw obstacle with the digest of the file of its form, and why it cannot be, if so."""
+    if table["type"] not in FORMS:
+        return table, ""
+    try:
+        made = _OBSTACLE.validate_python({**table, "surface": SURFACES["wall"]})
+    except ValidationError as error:
+        return table, problem_paths(error)[0][1]
+    except InputError as error:  # of a package that is not installed
+        return table, error.problems[0]
+    return {**table, "content": getattr(made, "content", "")}, ""
 
 
 def read_import(given: dict[str, Any]) -> dict[str, Any]:
@@ -276,4 +301,8 @@ def _content_of(given: Mapping[str, Any]) -> WorldContent | None:
         raise InputError("must be the path of a file", path=("file",))
     folders = [Path(word) for word in search]
     with within("file"):
-        return world_content(Path(file), folders, KINDS, bounds=given.get("bounds") is True)
+        found = world_content(Path(file), folders, KINDS, bounds=given.get("bounds") is True)
+        noted = given.get("content")
+        if noted and hashlib.sha256(file_bytes(Path(file))).hexdigest() != noted:
+            raise InputError(f"{file}: was changed: it has another content than {noted[:12]}…")
+    return found

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from pathlib import Path
 
+from springback.errors import InputError
 from springback.scenario.worlds.content import LEVEL, Collector
 from springback.scenario.worlds.poses import FramePose, at_origin
 
@@ -43,22 +44,27 @@ def add_mesh(
         known = ", ".join(MESHES)
         found.leave_out(name, f"{path.name}: {NO_MESHES.get(suffix, f'only {known} are read')}")
         return
-    found.mesh(name, pose, path, scale, friction)
+    if len(set(scale)) > 1 or scale[0] < 0.0:
+        shown = " x ".join(f"{factor:g}" for factor in scale)
+        found.leave_out(name, f"is scaled by {shown}; a mesh has one scale, above 0")
+        return
+    found.mesh(name, pose, path, scale[0], friction)
 
 
 def add_relief(
     found: Collector, name: str, pose: FramePose, path: Path | str, size: tuple[float, float],
-    height: float, friction: float | None = None,
+    height: float, depth: float | None = None, friction: float | None = None,
 ) -> None:  # fmt: skip
     """Add a height map, or say why not.
 
     Args:
         found: Takes it.
         name: Name of the element.
-        pose: Of the middle of its lowest level.
+        pose: Of its middle, at the height of black.
         path: Its image, or why there is none.
         size: Along its own x and y [m].
-        height: Of its highest point above the lowest level [m].
+        height: Of white above black, which is at the pose [m].
+        depth: Of the ground below its lowest point, unless as usual [m].
         friction: Of the file.
     """
     if isinstance(path, str):
@@ -73,8 +79,10 @@ def add_relief(
         return
     table = {
         "type": "heightmap", "file": str(path), "position": pose.place.tolist(),
-        "size": list(size), "height": height,
+        "size": list(size), "range": [0.0, height],
     }  # fmt: skip
+    if depth is not None:
+        table["depth"] = depth
     yaw = pose.angles()[2]
     found.files.append(path)
     found.add(name, table | ({"yaw": yaw} if yaw else {}), friction)
@@ -86,9 +94,15 @@ def read_mesh(found: Collector) -> None:
 
 
 def read_relief(found: Collector) -> None:
-    """Add a file that is a height map: one metre a pixel or cell, unless it is made an obstacle."""
-    table = {"type": "heightmap", "file": str(found.path), "position": [0.0, 0.0, 0.0]}
-    found.add(found.path.stem, table)
+    """Refuse a file that is a height map: it does not say how large it is.
+
+    Raises:
+        InputError: With what to write instead.
+    """
+    raise InputError(
+        f"{found.path}: is a height map, which does not say how large it is: use an obstacle of "
+        'type = "heightmap" with its size or spacing'
+    )
 
 
 def read_occupancy(found: Collector) -> None:

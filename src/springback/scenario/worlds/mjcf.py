@@ -309,9 +309,14 @@ class MjcfReader:
         if not asset.get("file"):
             self._found.leave_out(name, "is a height field without a file")
             return
-        x, y, height, _ = asset.numbers(asset.get("size"), "size [m]", 4, above=0.0)
+        x, y, height, base = asset.numbers(asset.get("size"), "size [m]", 4, above=0.0)
         path = self._asset(asset.get("file"), "assetdir")
-        add_relief(self._found, name, pose, path, (2.0 * x, 2.0 * y), height, friction)
+        add_relief(
+            self._found, name, pose, path, (2.0 * x, 2.0 * y), height, base, friction=friction
+        )
+        if not isinstance(path, str):
+            what = "black and white are its lowest and highest; MuJoCo takes the image's own range"
+            self._found.remark(name, what)
 
 
 def _merge(base: Attributes, own: Attributes) -> dict[str, str]:

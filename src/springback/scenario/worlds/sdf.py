@@ -393,7 +393,7 @@ def add_geometry(
         across = _vector(shape, "size", "1 1 1", above=0.0)
         moved = pose @ from_angles(_vector(shape, "pos", "0 0 0"), (0.0, 0.0, 0.0))
         path = found_file(uri.text, folder, found.search)
-        add_relief(found, name, moved, path, (across[0], across[1]), across[2], friction)
+        add_relief(found, name, moved, path, (across[0], across[1]), across[2], friction=friction)
     else:
         found.leave_out(name, f"is of shape {kind}")
 
