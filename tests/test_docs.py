@@ -394,6 +394,19 @@ def test_the_picture_of_the_shapes_is_that_of_the_examples(tmp_path: Path) -> No
     assert compare_images(str(tmp_path / "kept.png"), drawn, tol=5.0) is None
 
 
+def test_the_picture_of_the_imported_world_is_that_of_the_example(tmp_path: Path) -> None:
+    pytest.importorskip("matplotlib", reason="the extra plot is not installed")
+    from matplotlib.testing.compare import compare_images
+
+    subprocess.run(
+        [sys.executable, str(DOCS / "figures/imported_world.py"), str(tmp_path)],
+        check=True, capture_output=True,
+    )  # fmt: skip
+    (tmp_path / "kept.png").write_bytes((DOCS / "figures/imported_world.png").read_bytes())
+    drawn = str(tmp_path / "imported_world.png")
+    assert compare_images(str(tmp_path / "kept.png"), drawn, tol=5.0) is None
+
+
 def test_figures_of_the_chapters_are_those_that_are_drawn(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib", reason="the extra plot is not installed")
     from matplotlib.testing.compare import compare_images

@@ -32,10 +32,21 @@ def defaults(option: click.Option, context: click.Context) -> str:
     return ", ".join([*parts, *(["needed"] if option.required else [])])
 
 
-def command_lines(command: click.Command, context: click.Context) -> list[str]:
+def commands_of(
+    group: click.Group, outer: click.Context, before: str = ""
+) -> Iterator[tuple[str, click.Command, click.Context]]:
+    """Commands in the order of the alphabet, those of a group after it: name, command, context."""
+    for name, command in sorted(group.commands.items()):
+        context = click.Context(command, parent=outer, info_name=name)
+        yield before + name, command, context
+        if isinstance(command, click.Group):
+            yield from commands_of(command, context, f"{before}{name} ")
+
+
+def command_lines(name: str, command: click.Command, context: click.Context) -> list[str]:
     """Lines of a command's section below its title."""
     usage = " ".join(command.collect_usage_pieces(context))
-    lines = ["::", "", f"   springback {command.name} {usage}", "", *paragraphs(command.help or "")]
+    lines = ["::", "", f"   springback {name} {usage}", "", *paragraphs(command.help or "")]
     lines += [".. list-table::", "   :header-rows: 1", "   :widths: 38 47 15", ""]
     lines += ["   * - option", "     - meaning", "     - default"]
     for option in command.get_params(context):
@@ -54,11 +65,10 @@ class Commands(Directive):
         """The sections."""
         made: list[nodes.Node] = []
         outer = click.Context(cli, info_name="springback")
-        for name, command in sorted(cli.commands.items()):
-            context = click.Context(command, parent=outer, info_name=name)
-            section = nodes.section(ids=[name], names=[name])
+        for name, command, context in commands_of(cli, outer):
+            section = nodes.section(ids=[name.replace(" ", "-")], names=[name])
             section += nodes.title("", "", nodes.literal("", f"springback {name}"))
-            lines = StringList(command_lines(command, context))
+            lines = StringList(command_lines(name, command, context))
             self.state.nested_parse(lines, 0, section)
             self.state.document.note_explicit_target(section)
             made.append(section)

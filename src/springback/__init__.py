@@ -48,6 +48,7 @@ if TYPE_CHECKING:
     from springback.scenario.files import read_scenario as read_scenario
     from springback.scenario.scenario import Scenario as Scenario
     from springback.scenario.user.builders import PilotContext as PilotContext
+    from springback.scenario.worlds.toml_text import read_world as read_world
     from springback.sensing.measurement import Estimate as Estimate
     from springback.sensing.measurement import EstimatorStep as EstimatorStep
     from springback.sensing.measurement import Measurement as Measurement
@@ -90,6 +91,7 @@ _PUBLIC = {
     "check_pilot": "studies.pilot_check", "Finding": "studies.pilot_check",
     "Scenario": "scenario.scenario", "read_scenario": "scenario.files",
     "fly_pair": "batch.pair", "PairOfFlights": "batch.pair",
+    "read_world": "scenario.worlds.toml_text",
     "fly": "results.flight", "Flight": "results.flight", "load": "results.saved",
     "fly_many": "simulation.flight", "plot": "interfaces.figures.plot",
     "Plan": "campaign.design.plan", "run_campaign": "campaign.running",

@@ -28,6 +28,7 @@ _KINDS = {
         "stairs",
         "forest",
         "own",
+        "import",
     ),
     "motion": ("constant", "sine", "table", "free", "pendulum", "hinge"),
     "reference": ("hold", "steps", "circle", "waypoints", "run-up"),

@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 
 from hypothesis import HealthCheck, given, seed, settings
 
-from attack import inputs, stored
+from attack import inputs, stored, worlds
 
 KINDS: dict[str, tuple[Any, Callable[..., Any]]] = {
     "scenarios": (inputs.scenarios(), inputs.scenario_tables),
@@ -34,6 +34,7 @@ KINDS: dict[str, tuple[Any, Callable[..., Any]]] = {
     "results": (stored.results(), stored.result_files),
     "ledgers": (stored.ledgers(), stored.campaign_files),
     "parts": (stored.parts(), stored.campaign_files),
+    "worlds": (worlds.worlds(), worlds.world_file),
 }
 ROUND = 1000
 

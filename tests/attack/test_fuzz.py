@@ -38,6 +38,7 @@ from attack.stored import (
     result_files,
     results,
 )
+from attack.worlds import WorldFile, world_file, worlds
 from springback.campaign import manifest, store
 from springback.errors import InputError
 from springback.results.sealed_json import with_digest
@@ -176,6 +177,12 @@ def test_a_manifest_that_tells_fewer_flights_than_its_part_has_rows_is_refused()
     text = b"\n".join(json.dumps(line).encode() for line in [first, *lines[1:]]) + b"\n"
     with pytest.raises(InputError, match=r"has \d+ rows; manifest.jsonl says 1"):
         campaign_files(Changed([], {manifest.NAME: text}))
+
+
+@settings(max_examples=500)
+@given(worlds())
+def test_worlds(given_file: WorldFile) -> None:
+    timed(world_file, given_file)
 
 
 @settings(max_examples=120)

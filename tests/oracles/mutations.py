@@ -85,6 +85,13 @@ SOLIDS, NEAREST, FACES = (
     "contact/scene/nearest.py",
     "contact/scene/faces.py",
 )
+WORLD_POSES, WORLD_CONTENT = "scenario/worlds/poses.py", "scenario/worlds/content.py"
+SDF, MJCF, OCTOMAP = (f"scenario/worlds/{name}.py" for name in ("sdf", "mjcf", "octomap"))
+IMPORTED = "scenario/worlds/imported.py"
+#: Of imported worlds: by SciPy, by MuJoCo, by cells, and as a whole.
+BY_SCIPY, BY_MUJOCO = ("scenario/worlds/test_sdf.py", ""), ("scenario/worlds/test_mjcf.py", "")
+BY_CELLS = ("scenario/worlds/test_grids_and_blocks.py", "")
+AS_A_WHOLE = ("scenario/worlds/test_imported.py", "placed_and_turned")
 
 MUTATIONS = (
     # contact
@@ -274,6 +281,20 @@ MUTATIONS = (
     Mutation("impulse, friction's share, sign", IMPULSES, "rubbed_off -= share", "rubbed_off += share", IMPULSE),
     Mutation("impulse, rests never", IMPULSES, "rebound[k] = hit.surface.restitution if closing > RESTING else 0.0\n                tolerated", "rebound[k] = hit.surface.restitution\n                tolerated", IMPULSE),
     Mutation("impulse, is not put back", IMPULSES, "state.position + sunk,", "state.position,", IMPULSE),
+    # imported worlds
+    Mutation("imported pose, order", WORLD_POSES, "self.turn @ inner.turn", "inner.turn @ self.turn", BY_SCIPY),
+    Mutation("imported pose, inverse", WORLD_POSES, "-self.turn.T @ self.place", "self.turn.T @ self.place", BY_SCIPY),
+    Mutation("imported pose, roll read back", WORLD_POSES, "s * r[0][2] - c * r[1][2]", "s * r[0][2] + c * r[1][2]", BY_SCIPY),
+    Mutation("imported axis between two points", MJCF, "turn_to((a - b)", "turn_to((b - a)", BY_MUJOCO),
+    Mutation("imported Euler angles, fixed axes", WORLD_POSES, "else turn @ found", "else found @ turn", BY_MUJOCO),
+    Mutation("imported size, halves", MJCF, "[2.0 * half for half in size]", "[1.0 * half for half in size]", BY_MUJOCO),
+    Mutation("imported cylinder, foot", WORLD_CONTENT, '"pole", "position": pose.point(0.0, 0.0, -0.5', '"pole", "position": pose.point(0.0, 0.0, 0.5', BY_SCIPY),
+    Mutation("imported joint is in its child", SDF, "default = child.text", "pass", BY_SCIPY),
+    Mutation("imported model by its frame", SDF, "model.node).inverse()", "model.node)", BY_SCIPY),
+    Mutation("imported cells, order of children", OCTOMAP, "half * (k >> 1 & 1), z + half * (k >> 2)", "half * (k >> 2), z + half * (k >> 1 & 1)", BY_CELLS),
+    Mutation("imported cells, free for occupied", OCTOMAP, "if state == 2:", "if state == 1:", BY_CELLS),
+    Mutation("imported whole, turned the wrong way", IMPORTED, "[[c, -s, 0.0], [s, c, 0.0]", "[[c, s, 0.0], [-s, c, 0.0]", AS_A_WHOLE),
+    Mutation("imported whole, yaw", IMPORTED, 'table.get("yaw", 0.0) + yaw', 'table.get("yaw", 0.0) - yaw', AS_A_WHOLE),
 )  # fmt: skip
 
 

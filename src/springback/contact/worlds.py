@@ -64,7 +64,11 @@ def _exponent_type(values: list[float]) -> type[Any]:
 
 
 def obstacles(
-    settings: Sequence[BuiltIn], own: Sequence[Own] = (), *, as_scene: bool = False
+    settings: Sequence[BuiltIn],
+    own: Sequence[Own] = (),
+    *,
+    as_scene: bool = False,
+    numbers: Sequence[int] = (),
 ) -> tuple[Obstacle, ...] | SolidScene | MovingScene:
     """Numbers of all obstacles; if there are none, a face out of reach.
 
@@ -72,12 +76,13 @@ def obstacles(
         settings: Obstacles of springback's own.
         own: The user's own shapes.
         as_scene: True makes a scene of planes alone, too.
+        numbers: Number in the world of each, from 0; by default in their order.
 
     Raises:
         The problem, if there are too many.
     """
     if any(_moves(entry) for entry in settings):
-        return _moving_scene(settings, own)
+        return _moving_scene(settings, own, numbers or range(len(settings)))
     if as_scene or any(isinstance(entry, ShapeSettings) for entry in settings):
         return _scene(settings, own)
     planes = [entry for entry in settings if not isinstance(entry, ShapeSettings)]
@@ -112,7 +117,9 @@ def _moves(entry: BuiltIn) -> bool:
     return getattr(entry, "motion", None) is not None
 
 
-def _moving_scene(settings: Sequence[BuiltIn], own: Sequence[Own]) -> MovingScene:
+def _moving_scene(
+    settings: Sequence[BuiltIn], own: Sequence[Own], numbers: Sequence[int]
+) -> MovingScene:
     """World in which some obstacles move."""
     still = _scene([entry for entry in settings if not _moves(entry)], own)
     if any(_is_impulsive(entry) for entry in settings):
@@ -120,7 +127,7 @@ def _moving_scene(settings: Sequence[BuiltIn], own: Sequence[Own]) -> MovingScen
             "hold a surface of law impulse, which cannot be combined with motion", "world.obstacles"
         )
     moving = []
-    for k, entry in enumerate(settings):
+    for k, entry in zip(numbers, settings, strict=True):
         if isinstance(entry, Wall | ShapeSettings) and _moves(entry):
             surface = entry.surface.surface(AnyExponent, by_number=True)
             moving.append(MovingShape(_solids_alone(entry), surface, entry.motion, k))

@@ -26,8 +26,7 @@ from springback.contact.hull_contact import hull_contact, hull_faces
 from springback.contact.moving.scene import MovingScene, exactly
 from springback.contact.parameters import faces
 from springback.contact.scene.faces import FACES, SolidScene
-from springback.contact.shapes import ShapeSettings
-from springback.contact.worlds import Own, alone
+from springback.contact.worlds import Own, alone, obstacles
 from springback.dynamics.solution import Slider
 from springback.errors import InputError
 from springback.kernels.compiler import executor, kernel, user_executor
@@ -38,6 +37,7 @@ from springback.results.result import FlightResult
 from springback.scenario.avionics import devices_of, normals_at_start, propulsion_of
 from springback.scenario.scenario import Scenario
 from springback.scenario.tables import UserShape
+from springback.scenario.worlds.imported import Imported, single_obstacles
 from springback.sensing.sensors import sensors_at_start
 from springback.simulation.flight import Trace, model_state, own_types, sources, still_state
 from springback.simulation.guided import ticks_of
@@ -361,6 +361,13 @@ def _ticks(flight: FlightResult, at: Array) -> Places:
 # -- distances ------------------------------------------------------------------------------------
 
 
+def _alone(entry: Any, number: int) -> Any:
+    """Scene of one obstacle of a world, or of all elements of an imported one."""
+    if isinstance(entry, Imported):
+        return obstacles(single_obstacles([entry]), as_scene=True)
+    return alone(entry, number)
+
+
 def gaps(flight: FlightResult, obstacle: int | None = None, own: tuple[Own, ...] = ()) -> Array:
     """Distances of cages and hull from the obstacles; see `springback.Flight.gap`."""
     model = _model(flight, own)
@@ -373,15 +380,17 @@ def gaps(flight: FlightResult, obstacle: int | None = None, own: tuple[Own, ...]
     if isinstance(model.world.obstacles, SolidScene | MovingScene):
         there = model.world.obstacles
         if obstacle is not None and obstacle < known:
-            there = alone(entries[obstacle], obstacle)
+            there = _alone(entries[obstacle], obstacle)
         model = model._replace(world=model.world._replace(obstacles=exactly(there)))
         seen = contact_history(model, flight).gaps
         if obstacle is not None and obstacle >= known:
             seen = seen[:, :, FACES + obstacle - known :][:, :, :1]
         nearest: Array = seen.min(axis=2)
         return nearest
-    planes = [entry for entry in entries if not isinstance(entry, ShapeSettings)]
-    counts = [*(len(faces(entry)) for entry in planes), *(1 for _ in shapes)]
+    counts = [
+        *(sum(len(faces(one)) for one in single_obstacles([entry])) for entry in entries),
+        *(1 for _ in shapes),
+    ]
     ends = np.cumsum([0, *counts])  # a second contact of a ring, listed after these, is no nearer
     first, last = 0, int(ends[-1])
     if obstacle is not None:

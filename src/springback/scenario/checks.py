@@ -21,7 +21,7 @@ from springback.contact.moving.scene import MovingScene
 from springback.contact.obstacles import Plane, signed_distance
 from springback.contact.parameters import faces
 from springback.contact.scene.faces import SolidScene, distance_of
-from springback.contact.shapes import ShapeSettings
+from springback.contact.shapes import Box, ShapeSettings
 from springback.contact.worlds import obstacles
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
@@ -39,6 +39,7 @@ from springback.scenario.tables import (
     ThrustSettings,
     UserShape,
 )
+from springback.scenario.worlds.imported import Imported
 from springback.sensing.parameters import SensorSettings
 from springback.settings import problem
 from springback.simulation.record import Model
@@ -209,7 +210,7 @@ def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
     if is_clear(model, state):
         return
     parts = [f"cage of arm {j}" for j in range(1, len(model.airframe.arms) + 1)] + ["main body"]
-    for owner, one in _one_by_one(scenario, model):
+    for name, one in _one_by_one(scenario, model, state):
         placed = obstacles_now(one, tuple(body.start for body in moving_bodies(one)))
         there = obstacles_in_body_frame(placed, state.position, rotation(state.attitude))
         for part, gap in zip(
@@ -217,22 +218,41 @@ def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
         ):
             if gap < -LANDED:
                 raise problem(
-                    f"puts the {part} {-gap:.3g} m inside world.obstacles[{owner}], a "
-                    f"{scenario.world.obstacles[owner].type} "
+                    f"puts the {part} {-gap:.3g} m inside {name} "
                     f"(got {list(scenario.start.position)} m)",
                     "start.position",
                 )
 
 
-def _one_by_one(scenario: ScenarioTables, model: Model) -> Iterator[tuple[int, Any]]:
-    """Every built-in obstacle of a world with its number, as in `World.obstacles`."""
-    given = enumerate(scenario.world.obstacles)
-    known = [(k, entry) for k, entry in given if not isinstance(entry, UserShape)]
+def _one_by_one(scenario: ScenarioTables, model: Model, state: State) -> Iterator[tuple[str, Any]]:
+    """Every built-in obstacle that may be in reach, and what it is, as in `World.obstacles`."""
+    known = [(name, one) for name, one in _named(scenario) if not isinstance(one, UserShape)]
     if isinstance(model.world.obstacles, SolidScene | MovingScene):
-        yield from ((k, obstacles((entry,))) for k, entry in known)
+        reach = reach_of(model.airframe)
+        for name, one in known:
+            if not _is_far(one, state.position, reach):
+                yield name, obstacles((one,))
         return
-    owners = [k for k, entry in known if not isinstance(entry, ShapeSettings) for _ in faces(entry)]
-    yield from zip(owners, ((one,) for one in model.world.obstacles), strict=False)
+    names = [name for name, one in known if not isinstance(one, ShapeSettings) for _ in faces(one)]
+    yield from zip(names, ((one,) for one in model.world.obstacles), strict=False)
+
+
+def _named(scenario: ScenarioTables) -> Iterator[tuple[str, Any]]:
+    """Obstacles one by one, each in words: its place in the scenario, its name and type."""
+    for k, entry in enumerate(scenario.world.obstacles):
+        if isinstance(entry, Imported):
+            for part in entry.parts:
+                yield f"world.obstacles[{k}], {part.name}, a {part.obstacle.type}", part.obstacle
+        else:
+            yield f"world.obstacles[{k}], a {entry.type}", entry
+
+
+def _is_far(one: Any, place: Vec, reach: float) -> bool:
+    """True if an obstacle of one box at rest is farther than the reach of a vehicle [m]."""
+    if not isinstance(one, Box) or one.motion is not None:
+        return False
+    radius = 0.5 * math.hypot(*one.size) + reach
+    return bool(math.dist(one.position, (place.x, place.y, place.z)) > radius)
 
 
 @traceable

@@ -28,6 +28,10 @@ NAMED_AT: tuple[tuple[str, ...], ...] = (
 )  # fmt: skip
 #: Where a scenario may name the file of a vehicle, or of thrusts.
 FILES_AT: tuple[tuple[str, ...], ...] = (("vehicle",), ("vehicle", "preset"), ("thrust",))
+#: Where a scenario may name the files of obstacles, and folders with what these name.
+WORLDS_AT: tuple[tuple[str, ...], ...] = (
+    ("world", "obstacles", "*", "file"), ("world", "obstacles", "*", "search", "*"),
+)  # fmt: skip
 
 
 # -- names in raw tables --------------------------------------------------------------------------
@@ -45,7 +49,15 @@ def with_absolute_names(given: Mapping[str, Any], folder: Path) -> dict[str, Any
         result = _change_at(result, path, lambda word: absolute_code(word, folder))
     for path in FILES_AT:
         result = _change_at(result, path, lambda word: _absolute_file(word, folder))
+    for path in WORLDS_AT:
+        result = _change_at(result, path, lambda word: _absolute_world(word, folder))
     return dict(result)
+
+
+def _absolute_world(word: Any, folder: Path) -> Any:
+    """Name of a file or folder of an imported world, made absolute."""
+    is_name = isinstance(word, str) and word and "\x00" not in word
+    return os.path.abspath(folder / word) if is_name else word
 
 
 def _absolute_file(word: Any, folder: Path) -> Any:
@@ -204,7 +216,13 @@ def code_digests(words: Iterable[str]) -> dict[str, str]:
         if found is not None:
             module = _module(found["file"], False)
             files.update(_files_of(module, Path(found["file"]).resolve().parent, set()))
-    return {str(path): hashlib.sha256(path.read_bytes()).hexdigest() for path in sorted(files)}
+    return file_digests(files)
+
+
+def file_digests(files: Iterable[Path]) -> dict[str, str]:
+    """SHA-256 of some files, by path."""
+    paths = sorted(set(files))
+    return {str(path): hashlib.sha256(path.read_bytes()).hexdigest() for path in paths}
 
 
 def changed_files(digests: Mapping[str, str]) -> list[str]:

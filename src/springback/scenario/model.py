@@ -39,6 +39,7 @@ from springback.scenario.tables import (
     UserShape,
     WorldSettings,
 )
+from springback.scenario.worlds.imported import single_obstacles
 from springback.settings import naming, problem
 from springback.simulation.record import Model, Timing
 from springback.simulation.thrusts import ThrustTable
@@ -207,8 +208,9 @@ def true_airframe(
 
 def world_numbers(world: WorldSettings, own: Sequence[Own] = ()) -> World:
     """Obstacles and gravity; ``own`` are the user's own shapes, those that the world names, too."""
-    known = tuple(entry for entry in world.obstacles if not isinstance(entry, UserShape))
-    built = obstacles(known, own)
+    entries = (entry for entry in world.obstacles if not isinstance(entry, UserShape))
+    known = [(k, one) for k, entry in enumerate(entries) for one in single_obstacles([entry])]
+    built = obstacles([one for _, one in known], own, numbers=[k for k, _ in known])
     if isinstance(built, MovingScene):
         return World(flown_scene(built), Forces(0.0), world.gravity)
     impulsive = isinstance(built, SolidScene) or any(

@@ -13,6 +13,7 @@ from springback.contact.library import SURFACES
 from springback.errors import InputError, shown_value, within
 from springback.quantities import Unit
 from springback.scenario.source_text import source_text, toml_tables
+from springback.scenario.worlds.imported import read_import
 from springback.sensing.library import ESTIMATORS
 from springback.settings import nearest_name
 from springback.vehicle.library import VEHICLES
@@ -129,12 +130,19 @@ def obstacle_table(entry: Any) -> Any:
     """A raw obstacle, the presets of its surfaces replaced by their values."""
     if not isinstance(entry, Mapping):
         return entry
-    own = {}
+    own: dict[str, Any] = {}
     for key in ("surface", "backing"):
         if key in entry:
             with within(key):
                 own[key] = surface_table(entry[key])
-    return {**entry, **own}
+    if entry.get("type") != "import":
+        return {**entry, **own}
+    if isinstance(patterns := entry.get("surfaces"), Mapping):
+        own["surfaces"] = {}
+        for pattern, given in patterns.items():
+            with within("surfaces", pattern):
+                own["surfaces"][pattern] = surface_table(given)
+    return read_import({**entry, **own})
 
 
 def read_thrusts(path: str | Path) -> dict[str, Any]:

@@ -25,6 +25,7 @@ from springback.scenario.presets import expand_presets as expand_presets
 from springback.scenario.presets import merge as merge
 from springback.scenario.presets import preset as preset
 from springback.scenario.tables import ScenarioTables
+from springback.scenario.worlds.imported import single_obstacles
 from springback.simulation.record import Model
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import Airframe, State
@@ -50,7 +51,7 @@ class Scenario(ScenarioTables):
 
     def _touches_own(self) -> bool:
         """True if the obstacle that its start touches may be the user's own, known when built."""
-        kinds = {entry.type for entry in self.world.obstacles}
+        kinds = {entry.type for entry in single_obstacles(self.world.obstacles)}
         return "own" in kinds or kinds <= {"ground"}
 
     # -- built parts ------------------------------------------------------------------------------

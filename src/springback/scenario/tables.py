@@ -20,6 +20,7 @@ from springback.kernels.tracing import sqrt  # for batch set-up
 from springback.kernels.vectors import Quat, Vec
 from springback.quantities import Angle, Duration, Quadruple, Triple, Unit, si_number
 from springback.recovery.parameters import RecoverySettings
+from springback.scenario.worlds.imported import Imported, single_obstacles
 from springback.sensing.estimation import EstimatorSettings
 from springback.sensing.parameters import SensorSettings
 from springback.settings import Name, Settings, naming, problem
@@ -45,7 +46,7 @@ class UserShape(Settings):
 
 
 #: Any obstacle of a world.
-AnyObstacle = Annotated[BuiltIn | UserShape, Field(discriminator="type")]
+AnyObstacle = Annotated[BuiltIn | UserShape | Imported, Field(discriminator="type")]
 
 
 class WorldSettings(Settings):
@@ -56,7 +57,7 @@ class WorldSettings(Settings):
 
     @model_validator(mode="after")
     def _countable(self) -> WorldSettings:
-        count, own = len(self.obstacles), self.of_own_structure()
+        count, own = len(single_obstacles(self.obstacles)), self.of_own_structure()
         if own > MOST_OBSTACLES:
             what = f"must be at most {MOST_OBSTACLES} (got {own})"
             raise problem(what, "obstacles")
@@ -66,8 +67,9 @@ class WorldSettings(Settings):
 
     def of_own_structure(self) -> int:
         """Number of obstacles that each are a structure of their own to the compiler."""
-        planes = any(isinstance(entry, ShapeSettings) for entry in self.obstacles)
-        return sum(isinstance(entry, UserShape) or not planes for entry in self.obstacles)
+        all_one_by_one = single_obstacles(self.obstacles)
+        planes = any(isinstance(entry, ShapeSettings) for entry in all_one_by_one)
+        return sum(isinstance(entry, UserShape) or not planes for entry in all_one_by_one)
 
 
 class Start(Settings):

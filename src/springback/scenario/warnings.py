@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import shlex
+from pathlib import Path
 
 from springback.contact.parameters import PLANES
 from springback.control.demands import Demands, shortfalls
@@ -10,6 +12,7 @@ from springback.control.linear import warnings_for
 from springback.control.reference_parameters import CircleSettings, RunUpSettings
 from springback.scenario.avionics import limits_of, nominal_vehicle, propulsion_of
 from springback.scenario.tables import ScenarioTables
+from springback.scenario.worlds.imported import Imported, single_obstacles
 
 #: Distance from start.position to reference.start that is worth a warning [m] (chosen: more than
 #: five standard deviations of the trials' positions).
@@ -29,20 +32,36 @@ def scenario_warnings(scenario: ScenarioTables, *, own: bool = False) -> list[st
         scenario: Scenario to be flown.
         own: True if a pilot of the user's own flies it.
     """
-    return _curved(scenario) + _warnings_of_the_pilot(scenario, own)
+    return _unrepresented(scenario) + _curved(scenario) + _warnings_of_the_pilot(scenario, own)
 
 
 def _curved(scenario: ScenarioTables) -> list[str]:
     """The paper's contact point on shapes that are not plane."""
     if scenario.model.contact_point != "paper":
         return []
-    curved = [k for k, one in enumerate(scenario.world.obstacles) if one.type not in FLAT]
-    if not curved:
-        return []
-    return [
-        f"model.contact_point: the paper's contact point is made for planes; its work is not exact "
-        f"on world.obstacles[{curved[0]}], a {scenario.world.obstacles[curved[0]].type}"
-    ]
+    for k, entry in enumerate(scenario.world.obstacles):
+        for one in single_obstacles([entry]):
+            if one.type not in FLAT:
+                return [
+                    "model.contact_point: the paper's contact point is made for planes; its work "
+                    f"is not exact on world.obstacles[{k}], a {one.type}"
+                ]
+    return []
+
+
+def _unrepresented(scenario: ScenarioTables) -> list[str]:
+    """Elements of imported worlds that are not there."""
+    found = []
+    for k, entry in enumerate(scenario.world.obstacles):
+        if isinstance(entry, Imported) and entry.unrepresented:
+            count, first = len(entry.unrepresented), entry.unrepresented[0]
+            total = count + len(entry.elements)
+            found.append(
+                f"world.obstacles[{k}]: {count} of {total} elements of {Path(entry.file).name} "
+                f"cannot be represented and are not there: {first}{', ...' if count > 1 else ''}; "
+                f"all are listed by: springback world show {shlex.quote(entry.file)}"
+            )
+    return found
 
 
 def _warnings_of_the_pilot(scenario: ScenarioTables, own: bool) -> list[str]:

@@ -41,10 +41,11 @@ from springback.errors import InputError
 from springback.problems import dotted_path, problem_paths
 from springback.random_streams import Purpose
 from springback.results.sealed_json import digest_of
-from springback.scenario.code_files import code_digests, code_names
+from springback.scenario.code_files import code_digests, code_names, file_digests
 from springback.scenario.presets import vehicle_table
 from springback.scenario.scenario import Scenario, merge, preset, scenario_from
 from springback.scenario.trust import check_trusted
+from springback.scenario.worlds.imported import world_files
 from springback.settings import Settings
 from springback.simulation.measures import FAILURES, Outcome
 from springback.vehicle.library import VEHICLES
@@ -105,11 +106,13 @@ class Design:
 
     @functools.cached_property
     def code(self) -> dict[str, str]:
-        """SHA-256 of the user's own files that the scenarios name, by path; runs the files."""
+        """SHA-256 of code and worlds that the scenarios name, by path; runs the code."""
         words = list(dict.fromkeys(word for base in self.bases for word in code_names(base)))
         for word in words:
             check_trusted(word, "scenario")
-        return code_digests(words)
+        return code_digests(words) | file_digests(
+            f for base in self.bases for f in world_files(base)
+        )
 
     def condition(self, text: str, *, judged: bool = False) -> str:
         """Condition in words as SQL; see `condition_in_words`.

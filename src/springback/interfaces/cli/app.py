@@ -27,6 +27,7 @@ from springback.interfaces.cli.reproduce import reproduce
 from springback.interfaces.cli.show import doctor, show
 from springback.interfaces.cli.study import study
 from springback.interfaces.cli.view import view
+from springback.interfaces.cli.world import world
 from springback.interfaces.output import interrupts
 from springback.version import __version__
 
@@ -43,7 +44,7 @@ def cli() -> None:
 
 for command in (
     fly, pair, check, reproduce, show, doctor, campaign, query, refly, summary, examples, new,
-    animate, lab, map_command, study, trust, view,
+    animate, lab, map_command, study, trust, view, world,
 ):  # fmt: skip
     cli.add_command(command)
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 import ast
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, get_origin
 
 import click
 from click.shell_completion import CompletionItem
@@ -149,6 +149,8 @@ def setting_keys(table: type[Settings], stem: str = "") -> Iterator[tuple[str, t
         if words or not below:
             yield key, words
         inner = key + (".0." if kinds.isdisjoint(below) and not _is_one_of(field) else ".")
+        if any(get_origin(kind) is dict for kind in kinds):
+            continue  # its keys are the user's
         for other in below:
             yield from setting_keys(other, inner)
 

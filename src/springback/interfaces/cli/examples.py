@@ -23,6 +23,8 @@ from springback.interfaces.cli.common import (
 #: The package, and possible folders of the examples: in the package, or in a checkout.
 PACKAGE = Path(__file__).parents[2]
 PLACES = (PACKAGE / "examples", PACKAGE.parents[1] / "examples")
+#: Suffixes of examples, and of what they name.
+SUFFIXES = (".toml", ".py", ".sdf")
 
 
 def examples_folder() -> Path:
@@ -48,7 +50,7 @@ def examples(output: Output) -> None:
     springback examples
     springback fly examples/collision.toml --out collision
     """
-    files = sorted(path for path in examples_folder().iterdir() if path.suffix in (".toml", ".py"))
+    files = sorted(path for path in examples_folder().iterdir() if path.suffix in SUFFIXES)
     with output.folder() as folder:
         for path in files:
             shutil.copy(path, folder)

@@ -20,6 +20,7 @@ from springback.scenario.overrides import apply_overrides
 from springback.scenario.presets import is_vehicle_file, thrust_of, vehicle_table
 from springback.scenario.scenario import Scenario
 from springback.scenario.source_text import source_text, toml_tables
+from springback.scenario.worlds.imported import single_obstacles
 from springback.vehicle.parameters import Vehicle
 
 #: Most characters of the robot's label on the page (chosen).
@@ -73,7 +74,9 @@ class UserScenario:
         A ground counts only if nothing else does.
         """
         obstacles = [
-            one for one in self.scenario.world.obstacles if isinstance(one, Wall | Mat | Ground)
+            one
+            for one in single_obstacles(self.scenario.world.obstacles)
+            if isinstance(one, Wall | Mat | Ground)
         ]
         standing = [one for one in obstacles if not isinstance(one, Ground)]
         ahead = [(time, k) for k, one in enumerate(standing) if (time := self._time_to(one))]

@@ -32,6 +32,7 @@ from springback.results.events import Event, impacts_of, parts_of
 from springback.results.flight import Flight
 from springback.results.saved import load as load
 from springback.scenario.tables import UserShape
+from springback.scenario.worlds.imported import single_obstacles
 from springback.simulation.playback import LoadHistory, load_history
 from springback.simulation.record import Model
 from springback.vehicle.state import Airframe
@@ -141,7 +142,8 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
     loads = load_history(model, c, places)
     touches = loads.point[np.isfinite(loads.point).all(axis=2)]
     place = np.stack([c[axis][places] for axis in "xyz"], axis=1)
-    known = [e for e in flight.scenario.world.obstacles if not isinstance(e, UserShape)]
+    all_one_by_one = single_obstacles(flight.scenario.world.obstacles)
+    known = [one for one in all_one_by_one if not isinstance(one, UserShape)]
     things = drawables(known, own, place, touches, flight.own_surfaces)
     thrust = _thrust(flight, model, c["t"][places])
     robot = flight.scenario.vehicle.name

@@ -1,0 +1,1 @@
+"""Worlds of other programs: read, placed, and converted to built-in obstacles."""

@@ -1,0 +1,133 @@
+"""Meshes and height maps that a world names become obstacles that name their file, or are listed."""
+
+from __future__ import annotations
+
+import itertools
+import struct
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from builders.cases import nonempty
+from builders.world_files import imported, sdf, sdf_model
+from springback import InputError, read_world
+from springback.scenario.worlds.content import WorldContent
+from springback.scenario.worlds.files import world_content
+from springback.scenario.worlds.imported import KINDS
+
+CORNERS = np.array(list(itertools.product((-0.5, 0.5), repeat=3)))
+FACES = [
+    (0, 1, 3), (0, 3, 2), (4, 6, 7), (4, 7, 5), (0, 4, 5), (0, 5, 1),
+    (2, 3, 7), (2, 7, 6), (0, 2, 6), (0, 6, 4), (1, 5, 7), (1, 7, 3),
+]  # fmt: skip
+
+
+def cube(faces: list[tuple[int, int, int]] = FACES) -> bytes:
+    """A cube of 1 m as a binary STL, or what is left of it."""
+    facets = (struct.pack("<12fH", 0, 0, 0, *CORNERS[list(face)].ravel(), 0) for face in faces)
+    return bytes(80) + struct.pack("<I", len(faces)) + b"".join(facets)
+
+
+def mesh(file: str, scale: str = "1 1 1") -> str:
+    return f"<mesh><uri>{file}</uri><scale>{scale}</scale></mesh>"
+
+
+def content(folder: Path, text: str, name: str = "w.sdf") -> WorldContent:
+    """Content of a world, whatever obstacles this version has."""
+    (folder / "cube.stl").write_bytes(cube())
+    (folder / "hill.png").write_bytes(b"x")
+    (folder / "hill.tif").write_bytes(b"x")
+    (folder / "statue.dae").write_bytes(b"x")
+    (folder / name).write_text(text)
+    return world_content(folder / name, (), (*KINDS, "mesh", "heightmap", "occupancy"))
+
+
+def test_a_mesh_has_the_pose_and_scale_of_its_collision(tmp_path: Path) -> None:
+    text = sdf(sdf_model("a", mesh("cube.stl", "2 2 2"), "1 2 3 0.1 0.2 0.3"))
+    found = content(tmp_path, text)
+    [one] = found.elements
+    table: dict[str, Any] = one.table
+    assert table.pop("file") == str(tmp_path / "cube.stl")
+    assert table.pop("position") == [1.0, 2.0, 3.0]
+    assert [table.pop(key) for key in ("roll", "pitch", "yaw")] == pytest.approx([0.1, 0.2, 0.3])
+    assert table == {"type": "mesh", "scale": 2.0}
+    assert tmp_path / "cube.stl" in found.files
+
+
+def test_a_height_map_is_level_from_black_to_white(tmp_path: Path) -> None:
+    hill = "<heightmap><uri>hill.png</uri><size>10 20 2</size><pos>1 0 0.5</pos></heightmap>"
+    found = content(tmp_path, sdf(
+        sdf_model("a", hill, "0 3 0 0 0 0.5"), sdf_model("b", hill, "0 3 0 0.1 0 0"),
+        sdf_model("c", hill.replace("png", "tif")),
+    ))  # fmt: skip
+    [one] = found.elements
+    assert one.table["position"] == pytest.approx([np.cos(0.5), 3.0 + np.sin(0.5), 0.5])
+    assert one.table["yaw"] == pytest.approx(0.5)
+    assert (one.table["size"], one.table["range"]) == ([10.0, 20.0], [0.0, 2.0])
+    assert [(name.partition("/")[0], why) for name, why in found.missing] == [
+        ("b", "is a height map that is not level"),
+        ("c", "hill.tif: of height maps .png, .npy are read"),
+    ]
+
+
+def test_mjcf_names_its_meshes_in_folders_of_their_own(tmp_path: Path) -> None:
+    (tmp_path / "assets").mkdir()
+    (tmp_path / "assets" / "cube.stl").write_bytes(cube())
+    (tmp_path / "assets" / "hill.png").write_bytes(b"x")
+    text = (
+        '<mujoco><compiler meshdir="assets" assetdir="assets"/><default><mesh scale="0.5 0.5 0.5"/></default>'
+        '<asset><mesh file="cube.stl"/><hfield name="h" file="hill.png" size="5 6 2 0.3"/></asset><worldbody>'
+        '<geom name="a" type="mesh" mesh="cube" pos="0 0 1"/><geom name="h" type="hfield" hfield="h"/>'
+        "</worldbody></mujoco>"
+    )
+    found = content(tmp_path, text, "m.xml")
+    a, h = (one.table for one in found.elements)
+    assert (a["file"], a["scale"]) == (str(tmp_path / "assets" / "cube.stl"), 0.5)
+    assert (h["size"], h["range"], h["depth"]) == ([10.0, 12.0], [0.0, 2.0], 0.3)
+    assert [name for name, _ in found.remarks] == ["a", "h"]
+
+
+def test_meshes_that_are_not_represented_are_listed(tmp_path: Path) -> None:
+    found = content(tmp_path, sdf(
+        sdf_model("flat", mesh("cube.stl", "1 2 1")), sdf_model("mirror", mesh("cube.stl", "-1 -1 -1")),
+        sdf_model("dae", mesh("statue.dae")), sdf_model("lost", mesh("model://x/lost.stl")),
+    ))  # fmt: skip
+    assert found.elements == ()
+    reasons = {name.partition("/")[0]: reason for name, reason in nonempty(found.missing)}
+    assert reasons["flat"] == "is scaled by 1 x 2 x 1; a mesh has one scale, above 0"
+    assert reasons["mirror"] == "is scaled by -1 x -1 x -1; a mesh has one scale, above 0"
+    assert reasons["dae"] == "statue.dae: Collada is not read; convert it to OBJ or STL"
+    assert reasons["lost"].startswith("there is no model://x/lost.stl in ")
+
+
+def test_what_an_obstacle_refuses_is_listed_with_its_reason(tmp_path: Path) -> None:
+    """A closed mesh is there if this version has meshes; an open one never is, and says why."""
+    (tmp_path / "cube.stl").write_bytes(cube())
+    (tmp_path / "open.stl").write_bytes(cube(FACES[:-2]))
+    text = sdf(sdf_model("closed", mesh("cube.stl")), sdf_model("open", mesh("open.stl")))
+    world = imported(tmp_path, "w.sdf", text)
+    reasons = dict(line.split(": ", 1) for line in world.unrepresented)
+    if "mesh" in KINDS:
+        assert [part.name for part in world.parts] == ["closed/link/collision"]
+        assert "is open" in reasons["open/link/collision"]
+    else:
+        missing = "mesh is no obstacle of this version of springback"
+        assert set(reasons.values()) == {missing}
+        assert len(reasons) == 2
+
+
+def test_a_mesh_alone_is_a_world(tmp_path: Path) -> None:
+    (tmp_path / "cube.stl").write_bytes(cube())
+    found = world_content(tmp_path / "cube.stl", (), ("mesh",))
+    [one] = found.elements
+    assert (one.name, one.table["type"]) == ("cube", "mesh")
+    with pytest.raises(InputError, match="there is no such file"):
+        read_world(tmp_path / "none.stl")
+
+
+def test_a_height_map_alone_has_no_size(tmp_path: Path) -> None:
+    (tmp_path / "hill.png").write_bytes(b"x")
+    with pytest.raises(InputError, match='use an obstacle of type = "heightmap" with its size'):
+        read_world(tmp_path / "hill.png")
