@@ -210,9 +210,8 @@ def test_a_hanging_ball_swings_as_a_physical_pendulum() -> None:
     period = 4.0 / rate * scipy.special.ellipk(math.sin(0.5 * angle) ** 2)
     x = c["obstacle0_x"]
     falls = np.flatnonzero((x[:-1] > 0.0) & (x[1:] <= 0.0))
-    zero = [np.interp(0.0, [-x[k], -x[k + 1]], [flight.t[k], flight.t[k + 1]]) for k in falls[:1]][
-        0
-    ]
+    k = falls[0]
+    zero = np.interp(0.0, [-x[k], -x[k + 1]], [flight.t[k], flight.t[k + 1]])
     assert zero == pytest.approx(0.25 * period, rel=1e-5)
     speed = np.sqrt(c["obstacle0_vx"] ** 2 + c["obstacle0_vz"] ** 2)
     fall = length * (1.0 - math.cos(angle))

@@ -37,8 +37,8 @@ def impulse(measures: FlightMeasures) -> Any:
 MEETINGS: dict[str, tuple[dict[str, Any], dict[str, Any]]] = {
     "head-on": ({"x": 0.0, "speed": 1.5}, {"x": 0.7, "speed": -1.0, "yaw": np.pi}),
     "glancing": ({"x": 0.0, "speed": 1.5}, {"x": 0.6, "speed": -1.0, "yaw": 2.6, "y": 0.22}),
-    "from above": ({"x": 0.0, "speed": 0.5, "pitch": 0.2},
-                   {"x": 0.55, "speed": -2.0, "yaw": 3.0, "z": 0.03, "pitch": -0.3}),
+    "from above": ({"x": 0.0, "speed": 0.5, "pitch": 0.1},
+                   {"x": 0.55, "speed": -2.0, "yaw": 3.0, "z": 0.02, "pitch": 0.1}),
     "rigid": ({"x": 0.0, "speed": 1.5, "vehicle": "quad"},
               {"x": 0.7, "speed": -1.0, "yaw": 3.0, "vehicle": "quad"}),
 }  # fmt: skip
