@@ -48,7 +48,7 @@ def fly_pair(
     """Fly two vehicles in one world, each with its own pilot, sensors and noise, or without.
 
     Cages and hulls of both touch each other: those of the second are discs as thick as
-    `springback.simulation.pair.parts.THICKNESS`, with round edges, and spheres.  Force and opposite
+    `springback.simulation.pair.parts.HEIGHT`, with round edges, and spheres.  Force and opposite
     force are equal to rounding.  Energy that one vehicle gives the other is ``work_driven``.
 
     Args:

@@ -78,15 +78,15 @@ def _along(struck: float, body: BodyView, inward: Vec) -> float:
 
 
 @kernel
-def _less(speed: float, obstacle: float) -> float:
-    return speed - obstacle
+def _more(so_far: float, one: float) -> float:
+    return so_far + one
 
 
 @kernel
 def speed_beside(
     speed: float, struck: tuple[float, ...], bodies: tuple[BodyView, ...], inward: Vec
 ) -> float:
-    """Speed relative to the centre of the obstacle that is struck, along a direction [m/s].
+    """Speed relative to the centres of the obstacles that are struck, along a direction [m/s].
 
     Args:
         speed: In the world [m/s].
@@ -94,4 +94,6 @@ def speed_beside(
         bodies: All moving obstacles.
         inward: Unit vector, world.
     """
-    return fold(_less, speed, tree_map(_along, (struck, bodies), (inward,)), ())
+    of_all = fold(_more, 0.0, tree_map(_along, (struck, bodies), (inward,)), ())
+    count = fold(_more, 0.0, struck, ())
+    return speed - of_all / (count if count > 0.0 else 1.0)

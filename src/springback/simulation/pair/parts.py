@@ -18,8 +18,9 @@ from springback.kernels.trees import tree_map
 from springback.kernels.vectors import Mat3, rotation
 from springback.vehicle.state import Airframe, Arm, BodyState, Sphere, State, arm_direction
 
-#: Thickness of a cage as a disc [m] (chosen: of the guard of a 5-inch propeller).
-THICKNESS = 0.02
+#: Height of a cage as a disc, and radius of its edges [m] (chosen: a guard with its motor; where two
+#: press each other deeper than half the height, they would give way across their planes).
+HEIGHT, EDGE = 0.04, 0.012
 
 
 @kernel
@@ -63,7 +64,7 @@ def carried_bodies(airframe: Airframe, state: State, surface: Surface) -> tuple[
 
 
 def _disc(radius: float) -> Solid:
-    edge, half = 0.45 * THICKNESS, 0.05 * THICKNESS
+    edge, half = EDGE, 0.5 * HEIGHT - EDGE
     return Solid(
         FRUSTUM, np.zeros(3), np.eye(3), (radius - edge, radius - edge, half), edge, 0, 0.0, 0
     )
