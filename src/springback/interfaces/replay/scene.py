@@ -28,6 +28,7 @@ from springback.errors import InputError
 from springback.interfaces.output.robots import robot_label
 from springback.interfaces.replay.geometry import Drawable, drawables
 from springback.interfaces.replay.instants import departure, drawn_instants
+from springback.interfaces.replay.tracks import BodyTrack, body_tracks
 from springback.results.events import Event, impacts_of, parts_of
 from springback.results.flight import Flight
 from springback.results.saved import load as load
@@ -104,9 +105,13 @@ class Scene:
     thrust: Array
     """Rotor thrusts [N], shape (n, arms), from the telemetry, constant between ticks."""
     force: Array
-    """Force of all obstacles on each cage, then the hull, world [N], shape (n, parts, 3)."""
+    """Force of each contact, world [N], shape (n, contacts, 3)."""
     point: Array
-    """Point of application, world [m], shape (n, parts, 3); zero without contact."""
+    """Point of application, world [m], shape (n, contacts, 3); zero without contact."""
+    part: tuple[int, ...]
+    """Of each contact: number of its cage from 0, then of the hull; each has one or more."""
+    bodies: tuple[BodyTrack, ...]
+    """Tracks of the obstacles that move."""
     series: tuple[Series, ...]
     events: tuple[Event, ...]
     impacts: tuple[tuple[float, float], ...]
@@ -142,7 +147,8 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
     touches = loads.point[np.isfinite(loads.point).all(axis=2)]
     place = np.stack([c[axis][places] for axis in "xyz"], axis=1)
     known = [e for e in flight.scenario.world.obstacles if not isinstance(e, UserShape)]
-    things = drawables(known, own, place, touches, flight.own_surfaces)
+    tracks = body_tracks(model, c, places)
+    things = drawables(known, own, place, touches, flight.own_surfaces, tracks)
     thrust = _thrust(flight, model, c["t"][places])
     robot = flight.scenario.vehicle.name
     propulsion = flight.scenario.vehicle.propulsion
@@ -165,6 +171,8 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
         thrust=thrust,
         force=loads.force,
         point=np.nan_to_num(loads.point, nan=0.0),
+        part=loads.part,
+        bodies=tracks,
         series=_series(flight, model, loads, thrust, places),
         events=_time_line(flight),
         impacts=impacts_of(flight),
