@@ -246,9 +246,10 @@ def _series(
         whole = np.sqrt(c["fn_body"] ** 2 + c["ff_body"] ** 2)
         found.append(Series("Contact force", "main body", "N", whole))
     stored = dict(loads.energy)
-    stored["gravity"] = stored["gravity"] - stored["gravity"][0]
+    for name in ("gravity", "obstacles"):
+        stored[name] = stored[name] - stored[name][0]
     words = {"kinetic": "motion", "springs": "arm springs", "stops": "end stops",
-             "contact": "contacts", "gravity": "height"}  # fmt: skip
+             "contact": "contacts", "gravity": "height", "obstacles": "obstacles"}  # fmt: skip
     moves = {name: float(np.ptp(stored[name])) for name in words}
     found += [
         Series("Energy", word, "J", stored[name])
