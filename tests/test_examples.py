@@ -53,7 +53,10 @@ OTHERS = {"pip", "dask", "uv", "make"}
 #: Flights that are shorter here than on the page: 20 s and 4 s of closed loop.
 SHORTER = {"steps.toml": "simulation.duration=0.2", "run_up.toml": "simulation.duration=0.2"}
 #: Scenarios that are read and checked with their overrides, but not flown, and why.
-READ = {"collision.toml": "compiles for a minute or two; tests/paper/test_resilience.py flies it"}
+READ = {
+    "collision.toml": "compiles for a minute or two; tests/paper/test_resilience.py flies it",
+    "swinging_ball.toml": "compiles for minutes; tests/simulation/test_hit_while_hovering.py flies it",
+}
 #: Python that is not run, by a word in it, and why.
 NOT_RUN = {"dask_jobqueue": "needs a Slurm cluster"}
 

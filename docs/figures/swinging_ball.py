@@ -38,7 +38,7 @@ def sequence(flight: Any) -> Any:
     size = {"figsize": (2.5 * len(INSTANTS), 4.0), "layout": "constrained"}
     figure, rows = plt.subplots(2, len(INSTANTS), **size)
     for axes, view in zip(rows, views(scene), strict=True):
-        middle = view(scene.position[0]) + [AHEAD, 0.0]
+        middle = np.add(view(scene.position[0]), [AHEAD, 0.0])
         for ax, when in zip(axes, INSTANTS, strict=True):
             ax.set(xticks=[], yticks=[])
             panel = ScenePanel(ax, view, scene, ROBOTS["arq"].colour, 0.75)

@@ -25,7 +25,7 @@ from springback.interfaces.replay.shape_meshes import (
     sides_of,
     trunks,
 )
-from springback.interfaces.replay.tracks import BodyTrack, seen_from, swept
+from springback.interfaces.replay.tracks import BodyTrack, relative_to, way_of
 from springback.results.meshes import Mesh, surfaces_of
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -105,7 +105,7 @@ def drawables(
         for k, track in enumerate(tracks)
         for one in _moving(all_built[track.obstacle], track, flown, floor)
     ]
-    ways = [swept(tracks[one.track], one.vertices, (0, len(flown) // 2, -1))
+    ways = [way_of(tracks[one.track], one.vertices, (0, len(flown) // 2, -1))
             for one in moving if one.vertices is not None]  # fmt: skip
     around = _under(bodies, np.concatenate([flown, *ways]), flown)
     things = (
@@ -236,7 +236,7 @@ def _moving(
     entry: BuiltIn, track: BodyTrack, flown: Array, floor: float | None
 ) -> Iterable[Drawable]:
     """A moving obstacle where it was placed, as far as it comes near a flight."""
-    seen = seen_from(track, flown)
+    seen = relative_to(track, flown)
     level = floor if float(np.ptp(track.position[:, 2])) == 0.0 else None
     if isinstance(entry, Wall | Ground | Mat | Slope):
         yield _face(entry, seen, level)

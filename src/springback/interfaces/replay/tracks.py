@@ -87,7 +87,7 @@ def turned_by(attitude: Array) -> Array:
     return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
-def seen_from(track: BodyTrack, points: Array) -> Array:
+def relative_to(track: BodyTrack, points: Array) -> Array:
     """A flight as a moving obstacle sees it, in its own axes about where it was placed.
 
     Args:
@@ -98,7 +98,7 @@ def seen_from(track: BodyTrack, points: Array) -> Array:
     return np.asarray(track.origin + np.einsum("kji,kj->ki", back, points - track.position))
 
 
-def swept(track: BodyTrack, points: Array, instants: Sequence[int]) -> Array:
+def way_of(track: BodyTrack, points: Array, instants: Sequence[int]) -> Array:
     """Points of a moving obstacle at some instants, world [m].
 
     Args:
