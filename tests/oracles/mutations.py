@@ -53,6 +53,8 @@ FLIGHT = (
 )
 
 
+#: Of moving obstacles, some milliseconds in plain Python.
+MOVING = ("dynamics/test_moving_states.py", "")
 #: Crossings and end stops, rule by rule.
 CROSSINGS = ("dynamics/test_crossings.py", "")
 
@@ -78,6 +80,7 @@ HULL_CONTACT, HULL_STATE, TOUCHES = (
 RECORD, IMPULSES, GRIPS = "simulation/record.py", "dynamics/impulse.py", "contact/step_bounds.py"
 CLEARANCE, CROSSING = "dynamics/clearance.py", "dynamics/crossing.py"
 PEAKS, RING = "simulation/peaks.py", "contact/rings.py"
+BODIES, MOVERS = "contact/moving/bodies.py", "dynamics/moving_obstacles.py"
 SOLIDS, NEAREST, FACES = (
     "contact/scene/solids.py",
     "contact/scene/nearest.py",
@@ -258,6 +261,16 @@ MUTATIONS = (
     Mutation("scene, inner corner is one face", FACES, "if low.second.gap < FAR:", "if low.second.gap < -FAR:", SCENE),
     Mutation("scene, flush solids touch twice", FACES, "apart @ apart > APART * APART", "apart @ apart >= 0.0", SCENE),
     Mutation("scene, clearance overstated", FACES, "bound = nearest.gap - part.radius", "bound = nearest.gap + part.radius", SCENE),
+    # moving obstacles
+    Mutation("mover, closer pushes", BODIES, "-body.closer * away - body.damping", "body.closer * away - body.damping", MOVING),
+    Mutation("mover, closer's damper drives", BODIES, "away - body.damping * turning", "away + body.damping * turning", MOVING),
+    Mutation("mover, pendulum falls up", MOVERS, "Vec(0.0, 0.0, -gravity * body.mass)", "Vec(0.0, 0.0, gravity * body.mass)", MOVING),
+    Mutation("mover, reaction pulls", MOVERS, "-(at.r @ reaction.force), -(at.r", "at.r @ reaction.force, -(at.r", MOVING),
+    Mutation("mover, reaction's moment, sign", MOVERS, "-(at.r @ reaction.moment)", "at.r @ reaction.moment", MOVING),
+    Mutation("mover, reaction without lever", MOVERS, "((at.position - pose.position) ^ force)", "(0.0 * at.position ^ force)", MOVING),
+    Mutation("mover, driven work, sign", MOVERS, "given = reaction.force @ motion.velocity", "given = -reaction.force @ motion.velocity", MOVING),
+    Mutation("mover, surface at rest", CAGE, "return velocity - moving.velocity", "return velocity - 0.0 * moving.velocity", MOVING),
+    Mutation("mover, surface does not turn", CAGE, "return omega - moving.spin", "return omega - 0.0 * moving.spin", MOVING),
     # impulses
     Mutation("impulse, pulls", IMPULSES, "impulse = n * part[k] + rub[k]", "impulse = -n * part[k] + rub[k]", IMPULSE),
     Mutation("impulse, friction drives", IMPULSES, "t * -(stopping if", "t * (stopping if", IMPULSE),

@@ -85,7 +85,7 @@ def test_a_wall_and_a_box_are_where_their_motion_says(scene: Scene) -> None:
         assert np.dot(face.centre, [1.0, 0.0, 0.0]) == pytest.approx(wanted, abs=3e-4)
         turn = scipy.spatial.transform.Rotation.from_rotvec([0.0, 0.0, 4.0 * t])
         about = np.array([0.1, 1.0, 0.0])
-        there = about + [0.0, 0.0, 0.3 * t] + turn.apply(box.vertices - about)
+        there = turn.apply(box.vertices - about) + np.add(about, [0.0, 0.0, 0.3 * t])
         np.testing.assert_allclose(at_instant(box, now).vertices, there, atol=3e-4)
 
 

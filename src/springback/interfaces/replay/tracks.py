@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.contact.cage import moving_bodies
-from springback.contact.moving.bodies import ABSENT, FREE, GIVEN, PIVOTED, MovingBody
+from springback.contact.moving.bodies import ABSENT, CARRIED, FREE, GIVEN, PIVOTED, MovingBody
 from springback.kernels.vectors import Vec
 from springback.simulation.record import Model
 
@@ -41,7 +41,9 @@ def body_tracks(
         columns: Its trajectory.
         places: Rows of the instants.
     """
-    moving = [one for one in moving_bodies(model.world.obstacles) if one.kind != ABSENT]
+    moving = [
+        one for one in moving_bodies(model.world.obstacles) if one.kind not in (ABSENT, CARRIED)
+    ]
     return tuple(_track(one, columns, places) for one in moving)
 
 
