@@ -56,6 +56,7 @@ SHORTER = {"steps.toml": "simulation.duration=0.2", "run_up.toml": "simulation.d
 READ = {
     "collision.toml": "compiles for a minute or two; tests/paper/test_resilience.py flies it",
     "pole.toml": "the same among shapes; tests/studies/test_shape_collisions.py flies such",
+    "swinging_ball.toml": "compiles for minutes; tests/simulation/test_hit_while_hovering.py flies it",
 }
 #: Python that is not run, by a word in it, and why.
 NOT_RUN = {"dask_jobqueue": "needs a Slurm cluster"}

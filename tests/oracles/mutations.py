@@ -54,6 +54,8 @@ FLIGHT = (
 )
 
 
+#: Of moving obstacles, some milliseconds in plain Python.
+MOVING = ("dynamics/test_moving_states.py", "")
 #: Crossings and end stops, rule by rule.
 CROSSINGS = ("dynamics/test_crossings.py", "")
 
@@ -80,6 +82,7 @@ RECORD, IMPULSES, GRIPS = "simulation/record.py", "dynamics/impulse.py", "contac
 CLEARANCE, CROSSING = "dynamics/clearance.py", "dynamics/crossing.py"
 PEAKS, RING = "simulation/peaks.py", "contact/rings.py"
 ACTION, CHARACTERISATION = "recovery/line_of_action.py", "recovery/characterisation.py"
+BODIES, MOVERS = "contact/moving/bodies.py", "dynamics/moving_obstacles.py"
 SOLIDS, NEAREST, FACES = (
     "contact/scene/solids.py",
     "contact/scene/nearest.py",
@@ -104,10 +107,10 @@ MUTATIONS = (
     Mutation("plane seen, offset", OBSTACLES, "plane.offset - plane.normal", "plane.offset + plane.normal"),
     Mutation("plane seen, turned the wrong way", OBSTACLES, "Plane(plane.normal @ r,", "Plane(r @ plane.normal,"),
     Mutation("penetration rate, sign", CAGE, "(omega ^ pressing)) @ n", "(omega ^ pressing)) @ (-n)"),
-    Mutation("penetration rate, no turning", CAGE, "(arm.sliding + (omega ^ pressing)) @ n", "arm.sliding @ n"),
+    Mutation("penetration rate, no turning", CAGE, "(sliding + (omega ^ pressing)) @ n", "sliding @ n"),
     Mutation("friction drives the slip", SURFACES, "Friction(slip * -grip", "Friction(slip * grip"),
     Mutation("friction loss, sign", SURFACES, "grip * square, grip, per_speed", "-grip * square, grip, per_speed"),
-    Mutation("slip without turning", CAGE, "arm.sliding + (omega ^ rubbing_at), n", "arm.sliding, n"),
+    Mutation("slip without turning", CAGE, "sliding + (omega ^ rubbing_at), n", "sliding, n"),
     Mutation("slip keeps its normal part", CAGE, "velocity - (velocity @ normal) * normal", "velocity * 1.0"),
     Mutation("vertical friction, tilt", SURFACES, "vertical - (vertical @ normal) * normal", "vertical * 1.0"),
     Mutation("contact moment, sign", CAGE, "moment = (rubbing_at ^ force)", "moment = (force ^ rubbing_at)"),
@@ -186,7 +189,7 @@ MUTATIONS = (
     Mutation("hull, friction unbounded", HULL_STATE, "return rate + hull.damper", "return rate + 0.0 * hull.damper", GRIP),
     Mutation("hull, friction bound without turning", HULL_STATE, "hull.farthest * inverse.largest", "0.0 * hull.farthest", GRIP),
     Mutation("hull, no slip rate", MOTION, "cage_slips + hull_slips", "cage_slips", GRIP),
-    Mutation("hull, contact rate of cages only", MOTION, "            contact.press, field_of", "            a.contact.press, field_of", GRIP),
+    Mutation("hull, contact rate of cages only", MOTION, "        contact.press, field_of", "        a.contact.press, field_of", GRIP),
     Mutation("hull, gaps left out of steps", RECORD, "minimum(field_of(view.arms, \"gap\") + field_of(view.hull, \"gap\"))", "minimum(field_of(view.arms, \"gap\"))", RULES),
     Mutation("hull, crossings left out of steps", RECORD, "field_of(view.arms, \"crossing\") + field_of(view.hull, \"crossing\")", "field_of(view.arms, \"crossing\")", RULES),
     Mutation("hull, touch is no touch", RECORD, "maximum(arm_touching + hull_touching)", "maximum(arm_touching)", RULES),
@@ -250,7 +253,7 @@ MUTATIONS = (
     Mutation("ring, second point is the first", CAGE, "at_second_point(radius, found)", "at_low_point(radius, found.first)", RINGS),
     Mutation("ring, edge counts in full", CAGE, "rate = steepness * (", "rate = 1.0 * (", RINGS),
     Mutation("ring, force of an edge in full", CAGE, "f_n = pressed.force * steepness", "f_n = pressed.force", RINGS),
-    Mutation("ring, saddle's rate, sign", CAGE, "rate -= (arm.sliding", "rate += (arm.sliding", RINGS),
+    Mutation("ring, saddle's rate, sign", CAGE, "rate -= (sliding", "rate += (sliding", RINGS),
     Mutation("ring, saddle without reaction", CAGE, "back = at_saddle * pressed.force", "back = at_saddle * 0.0", RINGS),
     Mutation("ring, second as deep as it is", CAGE, "face.gap - saddle.gap", "face.gap", RINGS),
     Mutation("ring, the higher way", RING, "one if one.gap < other.gap else other", "other if one.gap < other.gap else one", RINGS),
@@ -271,6 +274,16 @@ MUTATIONS = (
     # what a robot makes of a collision
     Mutation("normal leans the other way", ACTION, "Vec(t.x * along, t.y * along, force.z)", "Vec(t.x * along, t.y * along, -force.z)", CHARACTER),
     Mutation("a pole has a common tangent", CHARACTERISATION, "tangent_normal(line.span, ahead), ahead)", "tangent_normal(line.span, ahead), tangent_normal(line.span, ahead))", CHARACTER),
+    # moving obstacles
+    Mutation("mover, closer pushes", BODIES, "-body.closer * away - body.damping", "body.closer * away - body.damping", MOVING),
+    Mutation("mover, closer's damper drives", BODIES, "away - body.damping * turning", "away + body.damping * turning", MOVING),
+    Mutation("mover, pendulum falls up", MOVERS, "Vec(0.0, 0.0, -gravity * body.mass)", "Vec(0.0, 0.0, gravity * body.mass)", MOVING),
+    Mutation("mover, reaction pulls", MOVERS, "-(at.r @ reaction.force), -(at.r", "at.r @ reaction.force, -(at.r", MOVING),
+    Mutation("mover, reaction's moment, sign", MOVERS, "-(at.r @ reaction.moment)", "at.r @ reaction.moment", MOVING),
+    Mutation("mover, reaction without lever", MOVERS, "((at.position - pose.position) ^ force)", "(0.0 * at.position ^ force)", MOVING),
+    Mutation("mover, driven work, sign", MOVERS, "given = reaction.force @ motion.velocity", "given = -reaction.force @ motion.velocity", MOVING),
+    Mutation("mover, surface at rest", CAGE, "return velocity - moving.velocity", "return velocity - 0.0 * moving.velocity", MOVING),
+    Mutation("mover, surface does not turn", CAGE, "return omega - moving.spin", "return omega - 0.0 * moving.spin", MOVING),
     # impulses
     Mutation("impulse, pulls", IMPULSES, "impulse = n * part[k] + rub[k]", "impulse = -n * part[k] + rub[k]", IMPULSE),
     Mutation("impulse, friction drives", IMPULSES, "t * -(stopping if", "t * (stopping if", IMPULSE),

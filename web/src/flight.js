@@ -29,6 +29,7 @@ export function flightOf(scene) {
     thrust: unpacked(scene.thrust),
     force: unpacked(scene.force.of),
     point: unpacked(scene.point.of),
+    bodies: scene.bodies.map((one) => ({ ...one, position: unpacked(one.position), attitude: unpacked(one.attitude) })),
     rows,
     series: scene.series.map((one) => ({ ...one, values: unpacked(one.values) })),
     signals: signalsOf(scene.signals),
@@ -60,39 +61,42 @@ export function poseAt(flight, time) {
     values[i * width + part] * (1 - u) + values[k * width + part] * u;
   const many = (values, width) => Array.from({ length: width }, (_, part) => mixed(values, width, part));
   const arms = flight.arms.length;
-  const parts = arms + flight.hull.length; // cages, then the main body
-
-  const q = many(flight.attitude, 4);
-  let dot = 0;
-  for (let c = 0; c < 4; c++) dot += flight.attitude[i * 4 + c] * flight.attitude[k * 4 + c];
-  if (dot < 0) for (let c = 0; c < 4; c++) q[c] = flight.attitude[i * 4 + c];
-  const norm = Math.hypot(...q);
+  const turned = (attitude) => {
+    const q = many(attitude, 4);
+    let dot = 0;
+    for (let c = 0; c < 4; c++) dot += attitude[i * 4 + c] * attitude[k * 4 + c];
+    if (dot < 0) for (let c = 0; c < 4; c++) q[c] = attitude[i * 4 + c];
+    const norm = Math.hypot(...q);
+    return q.map((x) => x / norm);
+  };
 
   const before = flight.rows[i];
   const after = flight.rows[k];
   const contacts = [];
-  for (let part = 0; part < parts; part++) {
+  const count = flight.part.length;
+  for (let slot = 0; slot < count; slot++) {
     const force = [0, 0, 0];
     let point = null;
     for (const [row, share] of [[before, 1 - u], [after, u]]) {
       if (row < 0) continue;
-      const from = (row * parts + part) * 3;
+      const from = (row * count + slot) * 3;
       for (let c = 0; c < 3; c++) force[c] += share * flight.force[from + c];
       const there = Array.from(flight.point.subarray(from, from + 3));
       if (there.some((x) => x !== 0)) point = there;
     }
     const size = Math.hypot(...force);
-    contacts.push(point && size > 1e-6 ? { force, size, point } : null);
+    contacts.push(point && size > 1e-6 ? { part: flight.part[slot], force, size, point } : null);
   }
   return {
     t: t + flight.shift,
     own: t,
     place: i,
     position: many(flight.position, 3),
-    quaternion: q.map((x) => x / norm),
+    quaternion: turned(flight.attitude),
     armLengths: many(flight.armLength, arms),
     thrust: many(flight.thrust, arms),
     contacts,
+    bodies: flight.bodies.map((one) => ({ position: many(one.position, 3), quaternion: turned(one.attitude) })),
   };
 }
 
@@ -132,7 +136,7 @@ export const touchOf = (flight) => (flight.impacts.length ? flight.impacts[0][0]
 /** First touch of the first flight that touches anything [s], or null. */
 export const firstTouch = (flights) => flights.map(touchOf).find((touch) => touch !== null) ?? null;
 
-/** Largest contact force of one cage, or of the main body, over a flight [N]. */
+/** Largest force of one contact over a flight [N]. */
 export function largestForce(flight) {
   let most = 0;
   for (let k = 0; k < flight.force.length; k += 3) {
@@ -143,10 +147,10 @@ export function largestForce(flight) {
 
 /** Magnitude of the sum of all contact forces at the instants [N]. */
 export function wholeForce(flight) {
-  const parts = flight.arms.length + flight.hull.length;
+  const count = flight.part.length;
   return Float32Array.from(flight.rows, (row) => {
     const whole = [0, 0, 0];
-    for (let k = 0; row >= 0 && k < 3 * parts; k++) whole[k % 3] += flight.force[row * parts * 3 + k];
+    for (let k = 0; row >= 0 && k < 3 * count; k++) whole[k % 3] += flight.force[row * count * 3 + k];
     return Math.hypot(...whole);
   });
 }

@@ -159,6 +159,7 @@ export class Robot {
     this.group.position.set(...pose.position);
     const [w, x, y, z] = pose.quaternion;
     this.group.quaternion.set(x, y, z, w);
+    const touching = new Set(pose.contacts.filter(Boolean).map((one) => one.part));
     this.arms.forEach((arm, j) => {
       const pressed = Math.min(magnified * (arm.free - pose.armLengths[j]), 0.4 * arm.free);
       const length = magnified === 1 ? pose.armLengths[j] : arm.free - pressed;
@@ -168,10 +169,10 @@ export class Robot {
       const bar = (this.bar * pose.thrust[j]) / this.most;
       arm.thrust.visible = bar > 1e-3;
       arm.thrust.scale.z = Math.max(bar, 1e-3);
-      arm.cagePaint.color.set(pose.contacts[j] ? this.flight.glow : this.flight.colour);
+      arm.cagePaint.color.set(touching.has(j) ? this.flight.glow : this.flight.colour);
     });
     this.hulls.forEach((glass, k) => {
-      glass.color.set(pose.contacts[this.arms.length + k] ? this.flight.glow : this.flight.colour);
+      glass.color.set(touching.has(this.arms.length + k) ? this.flight.glow : this.flight.colour);
     });
   }
 }

@@ -4,7 +4,7 @@ import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { palette } from "./colours.js";
 import { estimateAt, flightOf, hasEstimate, largestForce, poseAt, roundBelow, touchOf, unpacked } from "./flight.js";
 import { Arrow, Robot, disposed } from "./robot.js";
-import { Path, Shadow, compass, joined, moved, obstacle, rail, reference } from "./surroundings.js";
+import { Mover, Path, Shadow, compass, joined, moved, obstacle, rail, reference } from "./surroundings.js";
 
 /** Length of the arrow of a round force near the largest [m]; distance of robots side by side [m]. */
 const ROUND_ARROW = 0.22;
@@ -231,7 +231,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
       const ghost = k > 0 && comparison() === "ghost";
       const robot = new Robot(flight, { colour: flight.colour, opacity: ghost ? 0.35 : 1 }, colours);
       const path = new Path(flight, colours, resolution);
-      const arrows = [...flight.arms, ...flight.hull].map(() => new Arrow(colours.force, 0.007, ghost ? 0.4 : 0.95));
+      const arrows = flight.part.map(() => new Arrow(colours.force, 0.007, ghost ? 0.4 : 0.95));
       const shadow = new Shadow(flight, state.floor, colours);
       shadow.group.visible = !ghost || state.flights.length === 2; // of many in one place they are a blot
       const estimate = hasEstimate(flight) ? new Robot(flight, { colour: colours.ink, opacity: 0.35 }, colours) : null;
@@ -244,19 +244,23 @@ export function createScene(element, { flights = [], compare = "side", align = t
         box.expandByPoint(new THREE.Vector3(...flight.position.subarray(3 * i, 3 * i + 3)));
       }
       boxes.union(box.translate(group.position));
-      const names = [...flight.arms, ...flight.hull].map(() => {
+      const names = flight.part.map(() => {
         const name = document.createElement("span");
         labels.append(name);
         return name;
       });
-      return { flight, group, robot, estimate, path, arrows, shadow, scale, names, ghost, contacts: [] };
+      return { flight, group, robot, estimate, path, arrows, shadow, scale, names, ghost, contacts: [], movers: [] };
     });
-    const things = state.flights.flatMap((flight, k) => flight.obstacles.map((one) => moved(one, places[k])));
+    const things = state.flights.flatMap((flight, k) => flight.obstacles.filter((one) => one.track < 0).map((one) => moved(one, places[k])));
     const ground = things.some((one) => one.kind === "ground") ? state.floor : null;
     joined(things).forEach((thing) => {
       const drawn = obstacle(thing, colours, ground);
       drawn.position.set(...(thing.moved ?? [0, 0, 0]));
       content.add(drawn);
+    });
+    actors.forEach((actor) => {
+      actor.movers = actor.flight.bodies.map((track, k) => new Mover(track, actor.flight.obstacles.filter((one) => one.track === k), colours, ground));
+      actor.group.add(...actor.movers.map((mover) => mover.group));
     });
     state.box = boxes.clone();
     if (ground === null) {
@@ -293,7 +297,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     if (state.estimate && state.flights.some(hasEstimate)) entry("estimate", "estimated pose");
     if (most > 0 && state.forces) {
       const round = roundBelow(most);
-      entry("force", `contact force on a cage or the main body, ${round} N is ${100 * ROUND_ARROW} cm`);
+      entry("force", `contact force, each at its point, ${round} N is ${100 * ROUND_ARROW} cm`);
     }
     if (state.flights.some((f) => f.thrust.some((x) => x > 0))) entry("thrust", "thrust");
     const kinds = new Set(state.flights.flatMap((f) => f.obstacles.map((o) => (o.kind === "mesh" ? o.name : o.kind))));
@@ -348,6 +352,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
         if (state.estimate) actor.estimate.show(estimateAt(actor.flight, t), state.magnified);
       }
       actor.shadow.show(pose);
+      actor.movers.forEach((mover, j) => mover.show(pose.bodies[j]));
       actor.contacts = pose.contacts;
       actor.arrows.forEach((arrow, j) => {
         const contact = pose.contacts[j];

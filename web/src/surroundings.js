@@ -9,6 +9,8 @@ import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.j
 /** Faces that meet at less than this are shaded as one [rad]; edges sharper than this are drawn [deg]. */
 const SMOOTH = 0.6;
 const EDGE = 25;
+/** Radius of the rod of a hanging obstacle [m]. */
+const ROD = 0.004;
 
 const vector = (v) => new THREE.Vector3(...v);
 
@@ -101,6 +103,39 @@ export function obstacle(thing, colours, floor = null) {
     group.add(slab(thing, 0.04, colours.wall, 0.22), lines(0.5, colours.wall, 0.1));
   }
   return group;
+}
+
+/** An obstacle that moves, with the rod on which it hangs. */
+export class Mover {
+  /**
+   * @param track of the flight's scene
+   * @param things what is drawn of it, where it was placed
+   */
+  constructor(track, things, colours, floor) {
+    this.origin = vector(track.origin);
+    this.body = new THREE.Group().add(...things.map((thing) => obstacle(thing, colours, floor)));
+    this.group = new THREE.Group().add(this.body);
+    this.turn = new THREE.Quaternion();
+    this.rod = null;
+    if (!track.rod.length) return;
+    this.pivot = vector(track.rod);
+    const shape = new THREE.CylinderGeometry(ROD, ROD, 1, 10).translate(0, 0.5, 0);
+    this.rod = new THREE.Mesh(shape, new THREE.MeshStandardMaterial({ color: colours.metal, roughness: 0.6 }));
+    this.rod.position.copy(this.pivot);
+    this.group.add(this.rod);
+  }
+
+  /** Show a pose {position, quaternion} of flight.js. */
+  show(pose) {
+    const [w, x, y, z] = pose.quaternion;
+    this.turn.set(x, y, z, w);
+    this.body.quaternion.copy(this.turn);
+    this.body.position.copy(this.origin).negate().applyQuaternion(this.turn).add(vector(pose.position));
+    if (!this.rod) return;
+    const along = vector(pose.position).sub(this.pivot);
+    this.rod.scale.y = along.length();
+    this.rod.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), along.normalize());
+  }
 }
 
 /** A faint horizontal grid under flights without ground, for depth only. */

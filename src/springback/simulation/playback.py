@@ -1,12 +1,14 @@
 """Contact forces and energies along a trajectory, evaluated again by the same kernels.
 
 A trajectory holds lengths of arms and sums of forces; contact points and the force on each cage
-follow from its states by the laws of the flight.
+follow from its states by the laws of the flight.  A cage that touches two things, or one thing at
+two points, has two contacts.
 """
 
 from __future__ import annotations
 
 from collections.abc import Mapping
+from itertools import permutations
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -21,6 +23,7 @@ from springback.contact.cage import (
     moving_bodies,
     obstacles_in_body_frame,
     obstacles_now,
+    per_face,
 )
 from springback.contact.hull_contact import hull_contact, hull_faces
 from springback.contact.moving.bodies import ABSENT, GIVEN, MovingBody
@@ -28,7 +31,7 @@ from springback.contact.obstacles import World
 from springback.dynamics.energy import Energy, energy
 from springback.kernels.compiler import executor, kernel, user_executor
 from springback.kernels.layout import Buffer, TreeLayout, read, write
-from springback.kernels.trees import leaves, tree_map, tree_sum
+from springback.kernels.trees import leaves, tree_map
 from springback.kernels.vectors import Vec
 from springback.simulation.flight import model_state, own_types, sources
 from springback.simulation.record import Model
@@ -41,13 +44,13 @@ Places = np.ndarray[Any, np.dtype[np.intp]]
 NO_FORCE = 1e-9
 
 
-class PartLoad(NamedTuple):
-    """Load of all obstacles on one cage, or on the hull."""
+class ContactLoad(NamedTuple):
+    """Load of one face that a cage, or the hull, meets."""
 
     force: Vec  # on it, world [N]
-    normal: float  # sum of the f_n [N]
-    friction: Vec  # sum of the f_f, world [N]
-    point: Vec  # sum of contact points, each times its f_n, world [N m]
+    normal: float  # f_n [N]
+    friction: Vec  # f_f, world [N]
+    point: Vec  # of contact, world [m]
 
 
 class Instant(NamedTuple):
@@ -62,52 +65,45 @@ class Instant(NamedTuple):
 class Evaluation(NamedTuple):
     """Loads and energy at one instant."""
 
-    parts: tuple[PartLoad, ...]  # cages, then the hull if there is one
+    parts: tuple[tuple[ContactLoad, ...], ...]  # of cages, then of the hull if there is one
     stored: Energy
 
 
 @kernel
-def _cage_load(face: ContactFace, arm: Any, body: BodyMotion) -> PartLoad:
-    """Load of one face on one cage, in body axes from the main body."""
-    return _load(face_contact(face, 1.0, arm, body))
+def _cage_load(face: ContactFace, arm: Any, body: BodyMotion) -> ContactLoad:
+    return _in_world(face_contact(face, 1.0, arm, body), body)
 
 
 @kernel
-def _load(met: CageContact) -> PartLoad:
-    f_n = met.touch.normal
-    return PartLoad(met.touch.force, f_n, met.touch.friction, f_n * met.pressing_at)
+def _hull_load(face: ContactFace, hull: Sphere, body: BodyMotion) -> ContactLoad:
+    return _in_world(hull_contact(face, 1.0, hull, body), body)
 
 
 @kernel
-def _sphere_load(face: ContactFace, hull: Sphere, body: BodyMotion) -> PartLoad:
-    return _load(hull_contact(face, 1.0, hull, body))
+def _in_world(met: CageContact, body: BodyMotion) -> ContactLoad:
+    """A contact in body axes from the main body, in the world."""
+    touch, r = met.touch, body.r
+    point = body.position + r @ met.pressing_at
+    return ContactLoad(r @ touch.force, touch.normal, r @ touch.friction, point)
 
 
 @kernel
-def _arm_load(
+def _arm_loads(
     arm: Arm,
     length: float,
     rate: float,
     obstacles: Any,
     contact_point: Any,
     body: BodyMotion,
-) -> PartLoad:
+) -> tuple[ContactLoad, ...]:
     pose = arm_pose(arm, length, rate, body.velocity)
     faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose, 1.0)
-    return _in_world(tree_sum(tree_map(_cage_load, (faces,), (pose, body))), body)
+    return tree_map(_cage_load, (faces,), (pose, body))
 
 
 @kernel
-def _in_world(p: PartLoad, body: BodyMotion) -> PartLoad:
-    r = body.r
-    point = r @ p.point + p.normal * body.position
-    return PartLoad(r @ p.force, p.normal, r @ p.friction, point)
-
-
-@kernel
-def _hull_load(hull: Sphere, obstacles: Any, body: BodyMotion) -> PartLoad:
-    loads = tree_map(_sphere_load, (hull_faces(hull, obstacles, 1.0),), (hull, body))
-    return _in_world(tree_sum(loads), body)
+def _hull_loads(hull: Sphere, obstacles: Any, body: BodyMotion) -> tuple[ContactLoad, ...]:
+    return tree_map(_hull_load, (hull_faces(hull, obstacles, 1.0),), (hull, body))
 
 
 @kernel
@@ -117,11 +113,11 @@ def _evaluate(at: Instant) -> Evaluation:
     there = obstacles_now(at.world.obstacles, state.bodies)
     obstacles = obstacles_in_body_frame(there, state.position, body.r)
     arms = tree_map(
-        _arm_load,
+        _arm_loads,
         (at.airframe.arms, state.arm_length, state.arm_rate),
         (obstacles, at.contact_point, body),
     )
-    parts = arms + tree_map(_hull_load, (at.airframe.hull,), (obstacles, body))
+    parts = arms + tree_map(_hull_loads, (at.airframe.hull,), (obstacles, body))
     return Evaluation(parts, energy(at.airframe, at.world, at.contact_point, state))
 
 
@@ -133,12 +129,17 @@ def _evaluate_all(like: TreeLayout, instants: Buffer, out: Buffer) -> None:
 
 
 class LoadHistory(NamedTuple):
-    """Contacts and energies over time."""
+    """Contacts and energies over time.
 
-    force: Array  # on each cage, then the hull, world [N], shape (instants, parts, 3)
-    normal: Array  # f_n [N], shape (instants, parts)
-    friction: Array  # |f_f| [N], shape (instants, parts)
-    point: Array  # where it acts, world [m], shape (instants, parts, 3); NaN where nothing touches
+    Each cage, then the hull, has one contact or more: as many as it had at once in the flight, in
+    an order in which each stays where it was from instant to instant.
+    """
+
+    part: tuple[int, ...]  # of each contact: number of its cage from 0, then of the hull
+    force: Array  # of each contact, world [N], shape (instants, contacts, 3)
+    point: Array  # where it acts, world [m], shape (instants, contacts, 3); NaN without a force
+    normal: Array  # sum of the f_n on each part [N], shape (instants, parts)
+    friction: Array  # |f_f| of their sum [N], shape (instants, parts)
     energy: dict[str, Array]  # `Energy` by name [J], each of shape (instants,)
 
 
@@ -189,18 +190,53 @@ def load_history(model: Model, columns: Mapping[str, Array], places: Places) -> 
     instants = np.concatenate(
         [np.broadcast_to(constants, (len(states), len(constants))), states], 1
     )
-    parts = arms + len(model.airframe.hull)
-    out = np.zeros((len(states), 10 * parts + len(Energy._fields)))
+    parts, faces = arms + len(model.airframe.hull), len(per_face(model.world.obstacles, 0.0))
+    wide = 10 * parts * faces
+    out = np.zeros((len(states), wide + len(Energy._fields)))
     own = own_types(asked)
     plain = getattr(_evaluate_all, "py_func", _evaluate_all)
     run = user_executor(plain, sources(own), nogil=True) if own else _evaluate_all
     run(TreeLayout(asked), np.ascontiguousarray(instants), out)
-    each_part = out[:, : 10 * parts].reshape(len(out), parts, 10)
-    normal = each_part[:, :, 3]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        point = np.where(
-            normal[..., None] > NO_FORCE, each_part[:, :, 7:] / normal[..., None], np.nan
-        )
-    stored = {name: out[:, 10 * parts + k] for k, name in enumerate(Energy._fields)}
-    friction = np.linalg.norm(each_part[:, :, 4:7], axis=2)
-    return LoadHistory(each_part[:, :, :3], normal, friction, point, stored)
+    each = out[:, :wide].reshape(len(out), parts, faces, 10)
+    stored = {name: out[:, wide + k] for k, name in enumerate(Energy._fields)}
+    friction = np.linalg.norm(each[..., 4:7].sum(axis=2), axis=2)
+    contacts = [_contacts(each[:, k]) for k in range(parts)]
+    part = tuple(k for k, one in enumerate(contacts) for _ in range(one.shape[1]))
+    found = np.concatenate([np.zeros((len(out), 0, 6)), *contacts], axis=1)
+    normal = each[..., 3].sum(axis=2)
+    return LoadHistory(part, found[..., :3], found[..., 3:], normal, friction, stored)
+
+
+def _contacts(each: Array) -> Array:
+    """Forces and points of the contacts of one part, shape (instants, contacts, 6).
+
+    Args:
+        each: Leaves of `ContactLoad` of its faces, shape (instants, faces, 10).
+    """
+    acts = each[..., 3] > NO_FORCE
+    point = np.where(acts[..., None], each[..., 7:], np.nan)
+    found = np.concatenate([each[..., :3], point], axis=2)
+    most = max(int(acts.sum(axis=1).max(initial=0)), 1)
+    order = np.argsort(~acts, axis=1, kind="stable")[:, :most]
+    found = np.take_along_axis(found, order[..., None], axis=1)
+    if most > 1:
+        _keep_places(found)
+    return found
+
+
+def _keep_places(found: Array) -> None:
+    """Put contacts into the order in which they are nearest to where they were, in place.
+
+    Faces of a scene come in order of their depth, which changes from instant to instant.
+
+    Args:
+        found: Of `_contacts`.
+    """
+    ways = [list(way) for way in permutations(range(found.shape[1]))]
+    last = found[0, :, 3:].copy()
+    for row in np.flatnonzero(np.isfinite(found[:, :, 3]).any(axis=1)):
+        here = found[row]
+        away = [np.nansum(np.linalg.norm(here[way, 3:] - last, axis=1)) for way in ways]
+        here = here[ways[int(np.argmin(away))]]
+        found[row] = here
+        last = np.where(np.isfinite(here[:, 3:]), here[:, 3:], last)

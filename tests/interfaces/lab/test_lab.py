@@ -191,6 +191,70 @@ def test_an_obstacle_is_hit_as_the_wall_is(words: dict[str, Any]) -> None:
     assert not any(row["printed"] for row in shown["measures"])
 
 
+@pytest.mark.parametrize(
+    "words", [{"speed": 1.5, "radius": 100}, {"speed": 4, "yaw": 45, "offset": 30}]
+)
+def test_a_ball_hits_the_hovering_robot_at_the_speed_asked_for(words: dict[str, Any]) -> None:
+    """At its lowest point, at the instant asked for."""
+    asked = setting(obstacle="ball", ball_mass=0.7, **words)
+    [ball] = lab_scenario(asked, "arq").world.obstacles
+    assert (ball.type, ball.motion.mass) == ("sphere", 0.7)
+    flight = fly(lab_tables(asked, "arq"), "simulation.duration=0.03")
+    c, touch = flight.columns, flight.measures["touch_time"]
+    assert touch == pytest.approx(BEFORE, abs=1e-5)
+    at = int(np.searchsorted(c["t"], touch))
+    assert c["obstacle0_vx"][at] == pytest.approx(-asked.speed, rel=1e-4)
+    assert abs(c["obstacle0_vz"][at]) < 1e-4 * asked.speed
+    assert c["obstacle0_y"][at] == pytest.approx(1e-3 * asked.offset, abs=1e-9)
+    assert abs(c["vx"][at]) < 1e-3
+
+
+def test_in_flight_a_ball_is_on_its_way_for_half_a_second() -> None:
+    """It would hang 60 cm before the robot, which holds its place with its heading."""
+    tables = lab_tables(
+        setting(obstacle="ball", mode="flight", speed=1.5, yaw=20, radius=100), "arq"
+    )
+    ball, ground = tables["world"]["obstacles"]
+    assert ground["type"] == "ground"
+    assert tables["reference"] == {
+        "type": "hold", "position": tables["start"]["position"], "yaw": "20 deg"
+    }  # fmt: skip
+    pivot, place = ball["motion"]["pivot"], tables["start"]["position"]
+    assert pivot[0] == pytest.approx(2.75 + 0.1 + 0.6)
+    assert math.dist(ball["position"], pivot) == pytest.approx(1.5)
+    # Its energy is that of its speed at the touch, at the height of the robot.
+    about = 1.0 + 0.4 * (0.1 / 1.5) ** 2
+    kinetic = 0.5 * about * (1.5 * ball["motion"]["angular_velocity"][1]) ** 2
+    fall = 9.81 * (ball["position"][2] - place[2])
+    assert kinetic + fall == pytest.approx(0.5 * about * 1.5**2, rel=1e-5)
+
+
+def test_a_door_opens_away_from_the_robot() -> None:
+    door = lab_tables(setting(obstacle="door", door_mass=12, offset=100), "arq")["world"][
+        "obstacles"
+    ][0]
+    assert door["position"] == pytest.approx([2.75 + 0.02, 0.1, 1.0])
+    motion = door["motion"]
+    assert motion["pivot"] == pytest.approx([2.77, 0.55, 1.0])
+    assert (motion["mass"], motion["lowest"]) == (12.0, 0.0)
+    tables = lab_tables(setting(obstacle="door"), "arq")
+    flight = fly(tables, "simulation.duration=0.035")
+    assert flight.measures["touch_time"] == pytest.approx(BEFORE, abs=3e-4)
+    assert flight.columns["obstacle0_wz"][-1] > 0.0
+    assert flight.columns["obstacle0_vx"][-1] > 0.0
+
+
+def test_what_moves_is_a_kind_of_its_own() -> None:
+    """In an impact a ball and a door are one; before a ball a pilot hovers."""
+    ball, door = setting(obstacle="ball"), setting(obstacle="door")
+    assert kind_of(ball) == kind_of(door) != kind_of(setting(obstacle="pole"))
+    assert kind_of(ball).words == "impacts on what moves, free"
+    flown = [kind_of(setting(obstacle=word, mode="flight")) for word in ("ball", "door", "pole")]
+    assert len(set(flown)) == 3
+    assert flown[0].words == "hits on a hovering robot by a ball, recovery by a quintic"
+    assert example_of(setting(obstacle="ball", radius=7)).obstacle == "ball"
+
+
 def test_numbers_of_an_obstacle_are_those_of_its_controls() -> None:
     """In front of the robot stands what is asked for, as near as the wall would be."""
 

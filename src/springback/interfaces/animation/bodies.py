@@ -11,6 +11,7 @@ from scipy.sparse.csgraph import connected_components
 
 from springback.interfaces.replay.geometry import Drawable
 from springback.interfaces.replay.scene import ArmShape, HullShape, Scene
+from springback.interfaces.replay.tracks import BodyTrack, turned_by
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Cells = np.ndarray[Any, np.dtype[np.intp]]
@@ -45,6 +46,15 @@ class ViewPlane(NamedTuple):
         return np.stack([points @ self.right, points @ self.up], axis=-1)
 
 
+class BodyPlace(NamedTuple):
+    """Where a moving obstacle is at one instant."""
+
+    origin: Array  # where it was placed [m]
+    position: Array  # of that point now [m]
+    rotation: Array  # its axes to the world's, shape (3, 3)
+    rod: Array  # line of the rod on which it hangs, shape (2 or 0, 3) [m]
+
+
 class SceneInstant(NamedTuple):
     """State of a scene at one instant."""
 
@@ -52,8 +62,9 @@ class SceneInstant(NamedTuple):
     rotation: Array  # body to world, shape (3, 3)
     lengths: Array  # of the arms [m]
     thrust: Array  # [N]
-    force: Array  # on each cage, then the hull [N], shape (parts, 3)
-    point: Array  # of application [m], shape (parts, 3)
+    force: Array  # of each contact [N], shape (contacts, 3)
+    point: Array  # of application [m], shape (contacts, 3)
+    bodies: tuple[BodyPlace, ...]  # of the obstacles that move
 
 
 def pose(scene: Scene, t: float) -> SceneInstant:
@@ -69,8 +80,6 @@ def pose(scene: Scene, t: float) -> SceneInstant:
     def between(values: Array) -> Array:
         return np.asarray((1.0 - share) * values[k] + share * values[k + 1])
 
-    one, other = scene.attitude[k], scene.attitude[k + 1]
-    turned = (1.0 - share) * one + share * np.where(one @ other < 0.0, -1.0, 1.0) * other
     near = k + (share > 0.5)
     touching = np.abs(scene.force[[k, k + 1]]).max(axis=2) > 0.0
     point = np.where(
@@ -78,23 +87,39 @@ def pose(scene: Scene, t: float) -> SceneInstant:
         np.where(touching[0][:, None], scene.point[k], scene.point[k + 1]),
     )  # fmt: skip
     return SceneInstant(
-        between(scene.position), rotation(turned), between(scene.arm_length), scene.thrust[near],
-        between(scene.force), point,
+        between(scene.position), _mixed(scene.attitude, k, share), between(scene.arm_length),
+        scene.thrust[near], between(scene.force), point,
+        tuple(_place(track, between(track.position), _mixed(track.attitude, k, share))
+              for track in scene.bodies),
     )  # fmt: skip
 
 
-def rotation(attitude: Array) -> Array:
-    """Rotation matrix, body to world, of a quaternion wxyz of any length but zero.
+def _mixed(attitude: Array, k: int, share: float) -> Array:
+    """Rotation between two quaternions of a table, body to world, shape (3, 3)."""
+    one, other = attitude[k], attitude[k + 1]
+    return turned_by((1.0 - share) * one + share * np.where(one @ other < 0.0, -1.0, 1.0) * other)
 
-    Args:
-        attitude: Shape (4,).
-    """
-    w, x, y, z = attitude / np.linalg.norm(attitude)
-    return np.array([
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ])  # fmt: skip
+
+def _place(track: BodyTrack, position: Array, turn: Array) -> BodyPlace:
+    rod = np.array([track.rod, position]) if track.rod else np.zeros((0, 3))
+    return BodyPlace(np.array(track.origin), position, turn, rod)
+
+
+def at_instant(thing: Drawable, now: SceneInstant) -> Drawable:
+    """An obstacle where it is at an instant."""
+    if thing.track < 0:
+        return thing
+    place = now.bodies[thing.track]
+
+    def moved(points: Array) -> Array:
+        return np.asarray(place.position + (points - place.origin) @ place.rotation.T)
+
+    if thing.vertices is not None:
+        return thing._replace(vertices=moved(thing.vertices))
+    turned = (place.rotation @ np.array(v) for v in (thing.normal, thing.across, thing.along))
+    normal, across, along = (tuple(v.tolist()) for v in turned)
+    centre = tuple(moved(np.array(thing.centre)).tolist())
+    return thing._replace(centre=centre, normal=normal, across=across, along=along)
 
 
 def views(scene: Scene) -> tuple[ViewPlane, ViewPlane]:
@@ -120,14 +145,20 @@ def views(scene: Scene) -> tuple[ViewPlane, ViewPlane]:
 def _normal(scene: Scene, point: Array, force: Array) -> Array:
     """Outward normal of the face that is touched at a point, else direction of the force.
 
-    Of a built-in body it is against the way flown: the view is along its axes, not the cage's.
+    Of a built-in body it is against the way flown, as what moves sees it: the view is along its
+    axes, not the cage's.
     """
-    faces = [d for d in scene.obstacles if d.normal]
+    first = int(np.argmax(np.abs(scene.force).max(axis=(1, 2)) > 0.0))
+    now = pose(scene, float(scene.t[first]))
+    faces = [at_instant(d, now) for d in scene.obstacles if d.normal]
     away = [abs(float(np.dot(np.subtract(point, d.centre), d.normal))) for d in faces]
     if faces and (min(away) < TOUCHED or len(faces) == len(scene.obstacles)):
         return np.array(faces[int(np.argmin(away))].normal)
-    first = int(np.argmax(np.abs(scene.force).max(axis=(1, 2)) > 0.0))
-    way = np.diff(scene.position[max(first - 1, 0) :][:2], axis=0)[0] * [1.0, 1.0, 0.0]
+    way = np.diff(scene.position[max(first - 1, 0) :][:2], axis=0)[0]
+    if scene.bodies:
+        near = min(scene.bodies, key=lambda one: float(np.linalg.norm(one.position[first] - point)))
+        way = way - np.diff(near.position[max(first - 1, 0) :][:2], axis=0)[0]
+    way = way * [1.0, 1.0, 0.0]
     is_body = any(d.vertices is not None and d.normals is None for d in scene.obstacles)
     if is_body and (length := float(np.linalg.norm(way))) > 0.0:
         return np.asarray(-way / length)

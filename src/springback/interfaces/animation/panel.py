@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import functools
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -18,6 +20,7 @@ from springback.interfaces.animation.bodies import (
     SceneInstant,
     ViewPlane,
     arm_line,
+    at_instant,
     body_outline,
     ends,
     half_plane,
@@ -32,6 +35,8 @@ from springback.interfaces.replay.geometry import Drawable
 from springback.interfaces.replay.scene import Scene
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
+Outlines = Callable[[Drawable, ViewPlane], list[Array]]
+"""Outlines of an obstacle in a view [m]."""
 
 MATTER = {"wall": "#B9C0C8", "mat": "#C9D8C4", "ground": "#CFC9BE"}
 BEHIND = "#E3E6EA"
@@ -63,7 +68,10 @@ class ScenePanel:
         """
         self.ax, self.view, self.scene = ax, view, scene
         self.moving: list[Artist] = []
+        self.changing: list[tuple[Any, Drawable, Outlines]] = []
         self._obstacles(unit)
+        rod: dict[str, Any] = {"color": GREY, "lw": 1.0 * unit}
+        self.rods = [self._line(**rod) for _ in scene.bodies]
         self.trail = self._line(color=colour, lw=1.2 * unit, alpha=0.55)
         arms = range(len(scene.arms))
         dotted: dict[str, Any] = {"color": GREY, "lw": 0.9 * unit, "ls": (0, (2, 2))}
@@ -104,14 +112,14 @@ class ScenePanel:
         edge: dict[str, Any] = {"ec": "#7B838C", "lw": 0.8 * unit}
         bodies = [thing for thing in self.scene.obstacles if thing.vertices is not None]
         for thing in bodies:
-            self._area(silhouette(thing, self.view), fc=BEHIND, ec="#AEB5BD", lw=0.6 * unit)
+            self._area(thing, silhouette, fc=BEHIND, ec="#AEB5BD", lw=0.6 * unit)
         walls = [thing for thing in self.scene.obstacles if thing.normal]
         for thing in walls:
             if thing.kind != "ground":
                 self._face(thing, edge)
         for thing in bodies:
             if thing.normals is None:
-                self._area(section_outlines(thing, self.view), fc=MATTER["wall"], **edge)
+                self._area(thing, section_outlines, fc=MATTER["wall"], **edge)
             else:  # a piece of a surface
                 pieces = list(plane_section(thing, self.view))
                 mesh = LineCollection(pieces, colors=GREY, linewidths=1.6 * unit)
@@ -124,14 +132,16 @@ class ScenePanel:
         colour = MATTER.get(thing.kind, MATTER["wall"])
         depths = (0.0, thing.thickness) if thing.thickness else (0.0,)
         for depth, fill in zip(depths, (colour, MATTER["wall"]), strict=False):
-            area = half_plane(thing, self.view, depth, FAR)
-            if area is not None:
-                self._moves(self.ax.add_patch(Polygon(area, fc=fill, **edge)))
+            self._area(thing, functools.partial(_behind, depth), fc=fill, **edge)
 
-    def _area(self, outlines: list[Array], **look: Any) -> None:
-        if outlines:
-            path = Path.make_compound_path(*(Path(one, closed=True) for one in outlines))
-            self._moves(self.ax.add_patch(PathPatch(path, **look)))
+    def _area(self, thing: Drawable, outlines: Outlines, **look: Any) -> None:
+        """Area within the outlines of an obstacle, which change if it moves."""
+        found = outlines(thing, self.view)
+        if found or thing.track >= 0:
+            patch = self.ax.add_patch(PathPatch(_path(found), **look))
+            self._moves(patch)
+            if thing.track >= 0:
+                self.changing.append((patch, thing, outlines))
 
     def shape(self) -> float:
         """Ratio of height to width."""
@@ -163,6 +173,11 @@ class ScenePanel:
             newton: Length of an arrow per force [m/N].
         """
         view, scene = self.view, self.scene
+        there = {id(thing): at_instant(thing, now) for _, thing, _ in self.changing}
+        for patch, thing, outlines in self.changing:
+            patch.set_path(_path(outlines(there[id(thing)], view)))
+        for line, body in zip(self.rods, now.bodies, strict=True):
+            line.set_data(*view(body.rod).T)
         self.trail.set_data(*view(np.vstack([past, now.position])).T)
         tips, free = ends(scene.arms, now), ends(scene.arms, now, free=True)
         for j, arm in enumerate(scene.arms):
@@ -184,6 +199,18 @@ class ScenePanel:
             for j, force in enumerate(now.force)
             if np.linalg.norm(force) * newton > FAINT
         ])  # fmt: skip
+
+
+def _behind(depth: float, thing: Drawable, view: ViewPlane) -> list[Array]:
+    """Outline of what is behind a face by more than a depth [m]; none if it is seen flat on."""
+    area = half_plane(thing, view, depth, FAR)
+    return [] if area is None else [np.vstack([area, area[:1]])]
+
+
+def _path(outlines: list[Array]) -> Path:
+    if not outlines:
+        return Path(np.zeros((0, 2)))
+    return Path.make_compound_path(*(Path(one, closed=True) for one in outlines))
 
 
 def arrow(tail: Array, tip: Array) -> Array:

@@ -160,7 +160,8 @@ def sentence(settings: LabSettings, robot: str, flight: Flight) -> str:
     if m["touch_speed"] is None:
         window = obstacle_of(settings) == "window" and not is_piloted(settings)
         return f"{name} {'flies through the window and ' if window else ''}touches nothing."
-    words = f"{name} hits the {_target(settings)} at {m['touch_speed']:.2f} m/s"
+    hits = "is hit by" if obstacle_of(settings) == "ball" else "hits"
+    words = f"{name} {hits} the {_target(settings)} at {m['touch_speed']:.2f} m/s"
     again, lasted = m["restitution_at_separation"], m["contact_time"]
     if again is not None and lasted is not None:
         left = again * m["touch_speed"]

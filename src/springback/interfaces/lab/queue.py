@@ -21,7 +21,7 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
 from springback.errors import InputError
-from springback.interfaces.lab.obstacles import is_on_slider, obstacle_of
+from springback.interfaces.lab.obstacles import MOVING, is_on_slider, obstacle_of
 from springback.interfaces.lab.responses import answer
 from springback.interfaces.lab.scenarios import is_piloted, lab_scenario, robots_of
 from springback.interfaces.lab.settings import DEFAULTS, LabSettings, is_default
@@ -35,8 +35,13 @@ Request = LabSettings | Sweep
 #: Duration of a compilation as the page states it [s], without a pilot and with one (measured, on
 #: two to four processors that have other work too).
 ABOUT, ABOUT_PILOTED = 30, 90
-#: Surface of a kind that is any built-in shape: all are one structure to the compiler.
+#: Surface of a kind that is any built-in shape: all are one structure to the compiler.  So are
+#: those that move, but before a ball a pilot hovers.
 SHAPE = "shape"
+_PLACES = {
+    "mat": "a mat", SHAPE: "poles, windows and the like", "moving": "what moves",
+    "ball": "a hovering robot by a ball", "door": "a door",
+}  # fmt: skip
 _COUNTS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
            "eleven", "twelve")  # fmt: skip
 
@@ -54,10 +59,11 @@ class Kind(NamedTuple):
     @property
     def words(self) -> str:
         """Description on the page."""
-        where = {"mat": "a mat", SHAPE: "poles, windows and the like"}.get(self.surface, "a wall")
+        where = _PLACES.get(self.surface, "a wall")
         what = f"impacts on {where}, {'on the slider' if self.guide == 'slider' else 'free'}"
         if self.mode == "flight":
-            what = f"flights into {where}, recovery {self.pilot}"
+            into = "hits on" if self.surface == "ball" else "flights into"
+            what = f"{into} {where}, recovery {self.pilot}"
         elif self.mode == "file":
             what = f"your scenario{', with its pilot' if self.pilot else ''}"
         if self.robots or self.arms != DEFAULTS.arm_count:
@@ -77,16 +83,23 @@ def kind_of(request: Request) -> Kind:
     if way in ("pre-impact", "post-impact", "set-point"):
         way = "by a quintic"
     pilot = way if settings.mode == "flight" else "its own" if is_piloted(settings) else ""
-    is_shape = obstacle_of(settings) != "wall"
-    surface = SHAPE if is_shape else "mat" if settings.surface == "mat" else "wall"
+    shape = _shape_of(settings)
+    surface = shape or ("mat" if settings.surface == "mat" else "wall")
     guide = ""
     if settings.mode == "impact":
         guide = "slider" if is_on_slider(settings) else "free"
     kind = Kind(settings.mode, guide, surface, pilot, round(settings.arm_count))
     if settings.user is None:
         return kind
-    surface = SHAPE if is_shape else settings.surface
-    return kind._replace(surface=surface, robots=robots_of(settings))
+    return kind._replace(surface=shape or settings.surface, robots=robots_of(settings))
+
+
+def _shape_of(settings: LabSettings) -> str:
+    """Surface of the kind of flights into other obstacles than the wall; empty for the wall."""
+    obstacle = obstacle_of(settings)
+    if obstacle in MOVING:
+        return "moving" if settings.mode == "impact" else obstacle
+    return "" if obstacle == "wall" else SHAPE
 
 
 def _settings_of(request: Request) -> LabSettings:
@@ -100,7 +113,8 @@ def example_of(request: Request) -> LabSettings:
         return settings
     words = {name: getattr(settings, name) for name in ("mode", "guide", "recovery")}
     surface = "mat" if settings.surface == "mat" else "wall"
-    obstacle = "wall" if obstacle_of(settings) == "wall" else "pole"
+    chosen = obstacle_of(settings)
+    obstacle = chosen if chosen in ("wall", *MOVING) else "pole"
     what = {"robot": "arq", "surface": surface, "obstacle": obstacle}
     return DEFAULTS.with_checked(**what, **words)
 

@@ -16,7 +16,13 @@ import tomli_w
 from springback.contact.cage import ArmTip, Ring, support
 from springback.contact.parameters import Ground, Mat, Wall
 from springback.errors import InputError
-from springback.interfaces.lab.obstacles import is_on_slider, obstacle_of, shape_table
+from springback.interfaces.lab.obstacles import (
+    ROD,
+    is_on_slider,
+    obstacle_of,
+    shape_table,
+    swinging,
+)
 from springback.interfaces.lab.settings import (
     VEHICLE_SETTINGS,
     LabSettings,
@@ -43,6 +49,9 @@ HEIGHT = 1.0
 GRAVITY = 9.81
 #: Distance from which a shape is approached to find the first touch [m] (chosen: outside it).
 AHEAD = 1.5
+#: Longest swing of a ball before it hits a robot that a pilot flies [s], and widest [rad]; distance
+#: in front of the place where it does so at which it would hang at rest [m] (chosen).
+SWINGS, WIDEST_SWING, CLEAR = 0.5, 1.0, 0.6
 #: Most of these that are remembered: they do not depend on the speed (chosen).
 MOST_TOUCHES = 256
 
@@ -162,8 +171,8 @@ def _impact(s: LabSettings, robot: str) -> Table:
     """The collision alone, with its start computed backwards from first touch.
 
     Before it no moment acts on the robot, and its rotors, of equal thrust, accelerate it uniformly:
-    it hits the wall at the requested speed, and level.  A robot that equal thrusts would turn falls
-    freely, with its rotors off.
+    it hits the wall at the requested speed, and level.  A ball hits it at that speed, while it
+    hovers.  A robot that equal thrusts would turn falls freely, with its rotors off.
     """
     slides = is_on_slider(s)
     table = vehicle_table_of(s, robot, slides)
@@ -182,6 +191,10 @@ def _impact(s: LabSettings, robot: str) -> Table:
     velocity = np.array([s.speed, 0.0, 0.0])
     if obstacle_of(s) != "wall":
         touch[0] = _touch(given, touch[0], s)
+    if obstacle_of(s) == "ball":
+        [ball] = given["world"]["obstacles"]
+        given["world"]["obstacles"] = [swinging(ball, s, gravity, BEFORE, 0.0)]
+        velocity = np.zeros(3)
     start = touch - velocity * BEFORE + 0.5 * pull * BEFORE**2
     given["start"] = {
         "position": [float(x) for x in start],
@@ -286,9 +299,27 @@ def _flight(s: LabSettings, robot: str) -> Table:
         "world": {"obstacles": [wall, {"type": "ground", "surface": "wall"}], **_gravity(s)},
         "simulation": {"duration": DURATION},
     }
+    if obstacle_of(s) == "ball":
+        given |= _hover(s, given)
     if s.recovery == "none":
         return given | {"simulation": {"duration": UNANSWERED}}
     return given | {"recovery": {"response": {"way": s.recovery}}}
+
+
+def _hover(s: LabSettings, given: Table) -> Table:
+    """Tables of a flight in which the robot hovers where a ball is to hit it."""
+    ball, *others = given["world"]["obstacles"]
+    alone = given | {"world": given["world"] | {"obstacles": [ball]}}
+    place = [_touch(alone, WALL_DISTANCE, s.with_checked(pitch=0.0)), 0.0, HEIGHT]
+    gravity, yaw = given["world"].get("gravity", GRAVITY), f"{digits(s.yaw)} deg"
+    # So that it starts at less than a right angle.
+    before = min(SWINGS, WIDEST_SWING * ROD / s.speed)
+    return {
+        "world": given["world"]
+        | {"obstacles": [swinging(ball, s, gravity, before, CLEAR), *others]},
+        "reference": {"type": "hold", "position": place, "yaw": yaw},
+        "start": {"position": place, "yaw": yaw},
+    }
 
 
 # -- both -----------------------------------------------------------------------------------------

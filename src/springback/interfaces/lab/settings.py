@@ -99,9 +99,10 @@ Obstacles = Annotated[
         "Obstacle",
         {
             "wall": "Wall or mat", "pole": "Pole", "edge": "Edge", "sphere": "Sphere",
-            "window": "Window", "slope": "Slope",
+            "window": "Window", "slope": "Slope", "ball": "Swinging ball", "door": "Door",
         },
-        "All but the wall are hit in free flight.",
+        "All but the wall are hit in free flight. The ball swings into the hovering robot; the "
+        "door has a closer.",
         "Obstacle",
         _OURS,
     ),
@@ -202,7 +203,7 @@ class LabSettings(Settings):
     guide: Guides = "slider"
     speed: Annotated[float, SliderControl(
         "m/s", label="Speed", least=0.5, most=6.0, step=0.05, group="Collision",
-        marks=_SPEEDS, explains="Into the wall, at first touch.",
+        marks=_SPEEDS, explains="Into the wall, at first touch; of the ball, into the robot.",
     )] = SLIDER_SPEED  # fmt: skip
     pitch: Annotated[float, SliderControl(
         "deg", label="Pitch", least=-60.0, most=60.0, step=1.0, group="Collision",
@@ -217,8 +218,9 @@ class LabSettings(Settings):
     recovery: Recoveries = "pre-impact"
     obstacle: Obstacles = "wall"
     radius: Annotated[float, _of_shapes(
-        "pole", "sphere", label="Radius", least=5.0, most=1000.0, step=1.0, logarithmic=True,
-        explains="Of the pole, or of the sphere.", path="world.obstacles.0.radius",
+        "pole", "sphere", "ball", label="Radius", least=5.0, most=1000.0, step=1.0,
+        logarithmic=True, explains="Of the pole, the sphere, or the ball.",
+        path="world.obstacles.0.radius",
     )] = 50.0  # fmt: skip
     opening: Annotated[float, _of_shapes(
         "window", label="Opening", least=100.0, most=1500.0, step=10.0,
@@ -235,9 +237,20 @@ class LabSettings(Settings):
         path="world.obstacles.0.yaw",
     )] = 0.0  # fmt: skip
     offset: Annotated[float, _of_shapes(
-        "pole", "edge", "sphere", "window", label="Offset", least=-500.0, most=500.0, step=5.0,
-        explains="To the left of the robot's way.", path="world.obstacles.0.position",
+        "pole", "edge", "sphere", "window", "ball", "door", label="Offset", least=-500.0,
+        most=500.0, step=5.0, explains="To the left of the robot's way.",
+        path="world.obstacles.0.position",
     )] = 0.0  # fmt: skip
+    ball_mass: Annotated[float, _of_shapes(
+        "ball", unit="kg", label="Mass of the ball", least=0.05, most=20.0, step=0.05,
+        logarithmic=True, explains="It hangs on a rod of 1.5 m without mass.",
+        path="world.obstacles.0.motion.mass",
+    )] = 1.0  # fmt: skip
+    door_mass: Annotated[float, _of_shapes(
+        "door", unit="kg", label="Mass of the door", least=1.0, most=100.0, step=0.5,
+        logarithmic=True, explains="90 cm wide, hinged on its left, with a closer of 5 N m/rad.",
+        path="world.obstacles.0.motion.mass",
+    )] = 8.0  # fmt: skip
     surface: Surfaces = "wall"
     contact_stiffness: Annotated[float, SliderControl(
         "kN/m^1.5", label="Contact stiffness k_c", least=20.0, most=1000.0, step=1.0,

@@ -1,4 +1,7 @@
-"""Drawable obstacles: rectangles for walls, mats, slopes and the ground, else meshes."""
+"""Drawable obstacles: rectangles for walls, mats, slopes and the ground, else meshes.
+
+Those that move are drawn where they were placed, one by one, with the number of their track.
+"""
 
 from __future__ import annotations
 
@@ -22,6 +25,7 @@ from springback.interfaces.replay.shape_meshes import (
     sides_of,
     trunks,
 )
+from springback.interfaces.replay.tracks import BodyTrack, relative_to, way_of
 from springback.results.meshes import Mesh, surfaces_of
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -60,6 +64,7 @@ class Drawable(NamedTuple):
     triangles: Cells | None = None  # shape (triangles, 3)
     normals: Array | None = None  # at the vertices, shape (vertices, 3); else of exact faces
     key: str = ""  # of a mesh: the same for the same obstacles of two flights
+    track: int = -1  # number of its track in the scene; −1 at rest
 
 
 class DrawnWorld(NamedTuple):
@@ -75,6 +80,7 @@ def drawables(
     flown: Array,
     near: Array,
     stored: Sequence[Mesh] = (),
+    tracks: Sequence[BodyTrack] = (),
 ) -> DrawnWorld:
     """All obstacles as drawables.
 
@@ -84,17 +90,29 @@ def drawables(
         flown: Positions of the vehicle, world [m], shape (instants, 3).
         near: Contact points, world [m], shape (touches, 3), possibly none.
         stored: Meshes of the user's own shapes read from a file, used if ``own`` is empty.
+        tracks: Of the obstacles that move, at the instants of ``flown``.
     """
+    all_built, follow = obstacles, {track.obstacle for track in tracks}
+    obstacles = [one for k, one in enumerate(all_built) if k not in follow]
     levels = [entry.height for entry in obstacles if isinstance(entry, Ground)]
     floor = max((z for z in levels if z <= flown[:, 2].min()), default=None)
     planes = [one for one in obstacles if isinstance(one, Wall | Ground | Mat | Slope)]
     shapes = [one for one in obstacles if isinstance(one, ShapeSettings)]
     chosen = _near(shapes, np.concatenate([_sample(flown), _sample(near)]))
     bodies, notes = list(_meshes(chosen.parts, flown, floor)), list(chosen.notes)
-    around = _under(bodies, flown)
-    things = [
-        _face(entry, around if isinstance(entry, Ground) else flown, floor) for entry in planes
-    ] + bodies
+    moving = [
+        one._replace(track=k)
+        for k, track in enumerate(tracks)
+        for one in _moving(all_built[track.obstacle], track, flown, floor)
+    ]
+    ways = [way_of(tracks[one.track], one.vertices, (0, len(flown) // 2, -1))
+            for one in moving if one.vertices is not None]  # fmt: skip
+    around = _under(bodies, np.concatenate([flown, *ways]), flown)
+    things = (
+        [_face(entry, around if isinstance(entry, Ground) else flown, floor) for entry in planes]
+        + bodies
+        + moving
+    )
     own_meshes = surfaces_of(own, near if len(near) else flown) if own else stored
     for k, one in enumerate(own_meshes):
         if len(one.triangles):
@@ -214,9 +232,27 @@ def _meshes(
         )  # fmt: skip
 
 
-def _under(meshes: Sequence[Drawable], flown: Array) -> Array:
-    """A flight, and the feet of what is near it: what the ground is drawn under."""
-    found = [flown] + [one.vertices for one in meshes if one.vertices is not None]
+def _moving(
+    entry: BuiltIn, track: BodyTrack, flown: Array, floor: float | None
+) -> Iterable[Drawable]:
+    """A moving obstacle where it was placed, as far as it comes near a flight."""
+    seen = relative_to(track, flown)
+    level = floor if float(np.ptp(track.position[:, 2])) == 0.0 else None
+    if isinstance(entry, Wall | Ground | Mat | Slope):
+        yield _face(entry, seen, level)
+    else:
+        yield from _meshes(_near([entry], _sample(seen)).parts, seen, level)
+
+
+def _under(meshes: Sequence[Drawable], ways: Array, flown: Array) -> Array:
+    """A flight, and the feet of what is near it: what the ground is drawn under.
+
+    Args:
+        meshes: Obstacles at rest.
+        ways: Points of the flight and of what moves [m], shape (points, 3).
+        flown: Those of the flight.
+    """
+    found = [ways] + [one.vertices for one in meshes if one.vertices is not None]
     low, high = flown.min(axis=0), flown.max(axis=0)
     room = np.maximum(0.5 * (LARGEST_SIDE - (high - low)) - ROOM, 0.0)
     return np.clip(np.concatenate(found), low - room, high + room)

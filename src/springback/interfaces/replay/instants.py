@@ -7,6 +7,7 @@ elsewhere, so some are left out; the error of linear interpolation between the o
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -29,6 +30,8 @@ APART = 5e-3
 NEAR = 5e-3
 #: ... up to this number of instants (chosen: 0.2 s at steps of 0.1 ms).
 MOST_NEAR = 2000
+#: Columns of where moving obstacles are, and how they are turned.
+OBSTACLE_PLACE, OBSTACLE_TURN = re.compile(r"obstacle\d+_[xyz]"), re.compile(r"obstacle\d+_q[wxyz]")
 #: Largest number of steps replaced by one line, a power of 2.
 GROUP = 64
 
@@ -41,6 +44,8 @@ def _curves(columns: Mapping[str, Array], arms: int) -> tuple[Array, Array]:
     forces = [f"{kind}{k}" for kind in ("fn", "ff") for k in parts_of(columns)]
     peak = max((float(np.max(np.abs(columns[name]), initial=0.0)) for name in forces), default=0.0)
     hardest = max(float(np.max(np.abs(columns[f"a{axis}"]), initial=0.0)) for axis in "xyz")
+    names |= {name: BOUNDS["m"] for name in columns if OBSTACLE_PLACE.fullmatch(name)}
+    names |= {name: BOUNDS[""] for name in columns if OBSTACLE_TURN.fullmatch(name)}
     names |= {f"l{j}": ARM_BOUND for j in range(1, arms + 1)}
     names |= {f"a{axis}": max(ACCELERATION_BOUND, SHARE * hardest) for axis in "xyz"}
     names |= dict.fromkeys(forces, max(FORCE_BOUND, SHARE * peak))
@@ -115,10 +120,12 @@ def departure(columns: Mapping[str, Array], arms: int, places: Places) -> dict[s
         )
 
     numbers = range(1, arms + 1)
+    obstacles = [name for name in columns if OBSTACLE_PLACE.fullmatch(name)]
     return {
         "position": worst("x", "y", "z"),
         "attitude": worst("qw", "qx", "qy", "qz"),
         "arm_length": worst(*(f"l{j}" for j in numbers)),
+        **({"obstacles": worst(*obstacles)} if obstacles else {}),
         "velocity": worst("vx", "vy", "vz"),
         "acceleration": worst("ax", "ay", "az"),
         "force": worst(*(f"{kind}{k}" for kind in ("fn", "ff") for k in parts_of(columns))),

@@ -28,6 +28,7 @@ from springback.errors import InputError
 from springback.interfaces.output.robots import robot_label
 from springback.interfaces.replay.geometry import Drawable, drawables
 from springback.interfaces.replay.instants import departure, drawn_instants
+from springback.interfaces.replay.tracks import BodyTrack, body_tracks
 from springback.results.events import Event, impacts_of, parts_of
 from springback.results.flight import Flight
 from springback.results.saved import load as load
@@ -105,9 +106,13 @@ class Scene:
     thrust: Array
     """Rotor thrusts [N], shape (n, arms), from the telemetry, constant between ticks."""
     force: Array
-    """Force of all obstacles on each cage, then the hull, world [N], shape (n, parts, 3)."""
+    """Force of each contact, world [N], shape (n, contacts, 3)."""
     point: Array
-    """Point of application, world [m], shape (n, parts, 3); zero without contact."""
+    """Point of application, world [m], shape (n, contacts, 3); zero without contact."""
+    part: tuple[int, ...]
+    """Of each contact: number of its cage from 0, then of the hull; each has one or more."""
+    bodies: tuple[BodyTrack, ...]
+    """Tracks of the obstacles that move."""
     series: tuple[Series, ...]
     events: tuple[Event, ...]
     impacts: tuple[tuple[float, float], ...]
@@ -144,7 +149,8 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
     place = np.stack([c[axis][places] for axis in "xyz"], axis=1)
     all_one_by_one = single_obstacles(flight.scenario.world.obstacles)
     known = [one for one in all_one_by_one if not isinstance(one, UserShape)]
-    things = drawables(known, own, place, touches, flight.own_surfaces)
+    tracks = body_tracks(model, c, places)
+    things = drawables(known, own, place, touches, flight.own_surfaces, tracks)
     thrust = _thrust(flight, model, c["t"][places])
     robot = flight.scenario.vehicle.name
     propulsion = flight.scenario.vehicle.propulsion
@@ -167,6 +173,8 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
         thrust=thrust,
         force=loads.force,
         point=np.nan_to_num(loads.point, nan=0.0),
+        part=loads.part,
+        bodies=tracks,
         series=_series(flight, model, loads, thrust, places),
         events=_time_line(flight),
         impacts=impacts_of(flight),
@@ -240,9 +248,10 @@ def _series(
         whole = np.sqrt(c["fn_body"] ** 2 + c["ff_body"] ** 2)
         found.append(Series("Contact force", "main body", "N", whole))
     stored = dict(loads.energy)
-    stored["gravity"] = stored["gravity"] - stored["gravity"][0]
+    for name in ("gravity", "obstacles"):
+        stored[name] = stored[name] - stored[name][0]
     words = {"kinetic": "motion", "springs": "arm springs", "stops": "end stops",
-             "contact": "contacts", "gravity": "height"}  # fmt: skip
+             "contact": "contacts", "gravity": "height", "obstacles": "obstacles"}  # fmt: skip
     moves = {name: float(np.ptp(stored[name])) for name in words}
     found += [
         Series("Energy", word, "J", stored[name])

@@ -43,7 +43,7 @@ def robots_figure() -> Figure:
         chart = Chart(ax, "forward x [m]", "left y [m]", f"{look.label}: {kind}")
         lengths = np.array([arm.length for arm in arms])
         still = np.zeros((len(arms), 3))
-        now = SceneInstant(np.zeros(3), np.eye(3), lengths, lengths, still, still)
+        now = SceneInstant(np.zeros(3), np.eye(3), lengths, lengths, still, still, ())
         _robot(chart, AXES, arms, now, look.colour)
         for j, (arm, tip) in enumerate(zip(arms, ends(arms, now), strict=True), start=1):
             ax.text(*(1.32 * tip[:2]), f"{j}", ha="center", va="center", weight="bold")
@@ -98,7 +98,7 @@ def contact_figure(scene: Scene) -> Figure:
     after = 1e3 * (scene.t[k] - scene.impacts[0][0])
     chart = Chart(ax, "x [m]", "y [m]", f"{scene.label}, {after:.1f} ms after first touch")
     _matter(ax, scene, view)
-    free = SceneInstant(now.position, now.rotation, _free(scene), now.thrust, now.force, now.point)
+    free = now._replace(lengths=_free(scene))
     for j, tip in enumerate(ends(scene.arms, free)):
         rest = view(ring(tip, scene.arms[j].cage_radius, now.rotation))
         name = "cage, arm at its free length" if j == 0 else f"free cage {j + 1}"
