@@ -20,9 +20,8 @@ from springback.interfaces.cli.check import check, trust
 from springback.interfaces.cli.common import say
 from springback.interfaces.cli.envelope import map_command
 from springback.interfaces.cli.examples import examples, new
-from springback.interfaces.cli.fly import fly
+from springback.interfaces.cli.fly import fly, pair
 from springback.interfaces.cli.lab import lab
-from springback.interfaces.cli.pair import pair
 from springback.interfaces.cli.reproduce import reproduce
 from springback.interfaces.cli.show import doctor, show
 from springback.interfaces.cli.study import study

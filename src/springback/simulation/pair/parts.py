@@ -18,8 +18,8 @@ from springback.kernels.trees import tree_map
 from springback.kernels.vectors import Mat3, rotation
 from springback.vehicle.state import Airframe, Arm, BodyState, Sphere, State, arm_direction
 
-#: Height of a cage as a disc, and radius of its edges [m] (chosen: a guard with its motor).  Two that
-#: press each other deeper than half the height give way across their planes.
+#: Height of a cage as a disc, and radius of its edges [m] (chosen: a guard with its motor); pressed
+#: in deeper than half the height, it gives way across its plane.
 HEIGHT, EDGE = 0.04, 0.012
 
 
