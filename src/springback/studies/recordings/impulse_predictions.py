@@ -48,13 +48,13 @@ ARM = Arm(
     torque_ratio=0.0,
 )  # fmt: skip
 NONE = Vec(0.0, 0.0, 0.0)
+NO_WORK = Work(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, NONE)
 
 
 @executor()
-def _after_impact(airframe: Airframe, world: World, state: State, after: Array) -> None:
+def _after_impact(airframe: Airframe, world: World, motion: Motion, after: Array) -> None:
     """Velocity of the centre and angular velocity after an impact."""
-    work = Work(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, Vec(0.0, 0.0, 0.0))
-    found = apply_impulses(airframe, world, Ring(0.1), Motion(state, work)).state
+    found = apply_impulses(airframe, world, Ring(0.1), motion).state
     after[0], after[1] = found.velocity.x, found.velocity.z
     after[2] = -found.angular_velocity.y
 
@@ -85,7 +85,7 @@ def velocities_after(impacts: PlanarImpacts, restitution: float, friction: float
         state = at_rest._replace(
             velocity=Vec(vx, 0.0, vz), angular_velocity=Vec(0.0, -spin, 0.0)
         )  # fmt: skip
-        _after_impact(airframe, World((floor,), Impulses(0.0), 0.0), state, row)
+        _after_impact(airframe, World((floor,), Impulses(0.0), 0.0), Motion(state, NO_WORK), row)
     return after
 
 
