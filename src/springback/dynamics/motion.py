@@ -352,7 +352,7 @@ class Plant(Protocol):
         """Thrust of each rotor, along body z at the end of its arm [N]."""
 
     @property
-    def pushed(self) -> Any:
+    def pushes(self) -> Any:
         """`Pushes` of another vehicle; empty without one."""
 
 
@@ -397,11 +397,11 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
             state.arm_rate,
             plant.thrust,
             engaged.arms,
-            arm_pushes(plant.pushed, airframe.arms),
+            arm_pushes(plant.pushes, airframe.arms),
         ),
         (Surroundings(obstacles, plant.contact_point, body, released),),
     )
-    pushed = hull_pushes(plant.pushed, airframe.hull)
+    pushed = hull_pushes(plant.pushes, airframe.hull)
     hull = tree_map(hull_state, (airframe.hull, engaged.hull, pushed), (obstacles, body))
     contact = fold(_together, a.contact, field_of(hull, "contact"), ())
     bodies = bodies_rates(

@@ -67,7 +67,7 @@ def faster(speed: float, body: BodyView) -> float:
 
 
 @kernel
-def struck_first(before: float, body: BodyView, first: bool) -> float:
+def first_hit(before: float, body: BodyView, first: bool) -> float:
     """Flag of a moving obstacle, 1 if the first touch of the flight is with it."""
     return select(first, body.struck, before)
 

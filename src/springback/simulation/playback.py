@@ -44,7 +44,7 @@ Places = np.ndarray[Any, np.dtype[np.intp]]
 NO_FORCE = 1e-9
 
 
-class ContactLoad(NamedTuple):
+class FaceLoad(NamedTuple):
     """Load of one face that a cage, or the hull, meets."""
 
     force: Vec  # on it, world [N]
@@ -65,26 +65,26 @@ class Instant(NamedTuple):
 class Evaluation(NamedTuple):
     """Loads and energy at one instant."""
 
-    parts: tuple[tuple[ContactLoad, ...], ...]  # of cages, then of the hull if there is one
+    parts: tuple[tuple[FaceLoad, ...], ...]  # of cages, then of the hull if there is one
     stored: Energy
 
 
 @kernel
-def _cage_load(face: ContactFace, arm: Any, body: BodyMotion) -> ContactLoad:
+def _cage_load(face: ContactFace, arm: Any, body: BodyMotion) -> FaceLoad:
     return _in_world(face_contact(face, 1.0, arm, body), body)
 
 
 @kernel
-def _hull_load(face: ContactFace, hull: Sphere, body: BodyMotion) -> ContactLoad:
+def _hull_load(face: ContactFace, hull: Sphere, body: BodyMotion) -> FaceLoad:
     return _in_world(hull_contact(face, 1.0, hull, body), body)
 
 
 @kernel
-def _in_world(met: CageContact, body: BodyMotion) -> ContactLoad:
+def _in_world(met: CageContact, body: BodyMotion) -> FaceLoad:
     """A contact in body axes from the main body, in the world."""
     touch, r = met.touch, body.r
     point = body.position + r @ met.pressing_at
-    return ContactLoad(r @ touch.force, touch.normal, r @ touch.friction, point)
+    return FaceLoad(r @ touch.force, touch.normal, r @ touch.friction, point)
 
 
 @kernel
@@ -95,14 +95,14 @@ def _arm_loads(
     obstacles: Any,
     contact_point: Any,
     body: BodyMotion,
-) -> tuple[ContactLoad, ...]:
+) -> tuple[FaceLoad, ...]:
     pose = arm_pose(arm, length, rate, body.velocity)
     faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose, 1.0)
     return tree_map(_cage_load, (faces,), (pose, body))
 
 
 @kernel
-def _hull_loads(hull: Sphere, obstacles: Any, body: BodyMotion) -> tuple[ContactLoad, ...]:
+def _hull_loads(hull: Sphere, obstacles: Any, body: BodyMotion) -> tuple[FaceLoad, ...]:
     return tree_map(_hull_load, (hull_faces(hull, obstacles, 1.0),), (hull, body))
 
 
@@ -211,7 +211,7 @@ def _contacts(each: Array) -> Array:
     """Forces and points of the contacts of one part, shape (instants, contacts, 6).
 
     Args:
-        each: Leaves of `ContactLoad` of its faces, shape (instants, faces, 10).
+        each: Leaves of `FaceLoad` of its faces, shape (instants, faces, 10).
     """
     acts = each[..., 3] > NO_FORCE
     point = np.where(acts[..., None], each[..., 7:], np.nan)

@@ -12,7 +12,7 @@ from springback.contact.obstacles import World
 from springback.dynamics.clearance import clearance
 from springback.dynamics.crossing import crossing, sooner, soonest, time_to
 from springback.dynamics.motion import LANDED, ArmView, Engaged, Motion, View
-from springback.dynamics.obstacle_views import faster, nearer, speed_beside, struck_first
+from springback.dynamics.obstacle_views import faster, nearer, speed_beside, first_hit
 from springback.dynamics.rigid import RigidRates, RigidState
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import field_of, fold, maximum, minimum, replace, select, tree_map
@@ -82,7 +82,7 @@ class Model(NamedTuple):
     thrust: tuple[float, ...]  # of each rotor [N]
     timing: Timing
     ramp: tuple[Ramp, ...] = ()  # one if the thrusts change with time
-    pushed: Any = ()  # `Pushes` of another vehicle, if there is one
+    pushes: Any = ()  # `Pushes` of another vehicle, if there is one
 
 
 class Stepping(NamedTuple):
@@ -379,7 +379,7 @@ def _first_impact_after(state: State, view: View, m: Record, at: Situation) -> F
     length = norm(view.touched)
     inward = select(first, view.touched * (1.0 / select(length > 0.0, length, 1.0)), before.inward)
     depth, speed = inward @ state.position, inward @ state.velocity
-    struck = tree_map(struck_first, (before.struck, view.bodies), (first,))
+    struck = tree_map(first_hit, (before.struck, view.bodies), (first,))
     closing = speed_beside(speed, struck, view.bodies, inward)
     centre_speed = speed_beside(inward @ view.mass_centre_velocity, struck, view.bodies, inward)
     touch_depth = select(first, depth, before.touch_depth)

@@ -103,7 +103,7 @@ class _Side:
         if self.motion[0, status] == FINISHED:
             self.motion[0, status] = FLYING
 
-    def flown(self) -> GuidedFlown | FlightRecord:
+    def result(self) -> GuidedFlown | FlightRecord:
         """Result."""
         flight = self.flight
         flown = flight_records(self.shape, [flight.model], [flight.start], self.motion, 1)[0]
@@ -146,7 +146,7 @@ def beside_each_other(
     a, b = beside(first, second, surface), beside(second, first, _SILENT)
     airframe = second.model.airframe
     pushes = Pushes((none,) * len(airframe.arms), (none,) * len(airframe.hull))
-    return a, b._replace(model=b.model._replace(pushed=pushes))
+    return a, b._replace(model=b.model._replace(pushes=pushes))
 
 
 def fly_both(
@@ -186,7 +186,7 @@ def fly_both(
                 b.keep_log()
         if progress is not None and tick % 100 == 0:
             progress(tick * period)
-    return a.flown(), _with_given_work(b.flown(), a.flown())
+    return a.result(), _with_given_work(b.result(), a.result())
 
 
 def _with_given_work(second: Any, first: Any) -> Any:

@@ -44,7 +44,7 @@ def _with_parts(shape: TreeLayout, b: Buffer, other: TreeLayout, o: Buffer, reac
 @kernel
 def _with_pushes(shape: TreeLayout, b: Buffer, pushes: tuple[PartPush, ...]) -> None:
     """Write the pushes of the first vehicle into the model of the second."""
-    write(pushes, b, row_of(shape.model, "pushed"), 1, 0)
+    write(pushes, b, row_of(shape.model, "pushes"), 1, 0)
 
 
 @executor(nogil=True)
