@@ -30,6 +30,7 @@ _KINDS = {
         "own",
         "import",
     ),
+    "hulls": ("sphere", "ring", "capsule", "box", "points"),
     "motion": ("constant", "sine", "table", "free", "pendulum", "hinge"),
     "reference": ("hold", "steps", "circle", "waypoints", "run-up"),
 }

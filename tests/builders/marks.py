@@ -26,6 +26,7 @@ SLOW = (
     "campaign/test_own_code.py",
     "campaign/test_running.py",
     "campaign/test_strangers.py",
+    "contact/test_hull_distances.py::test_gaps_and_normals_at_very_many_poses",
     "contact/test_obstacles.py::test_own_obstacle_compiles_and_gives_the_same_bits",
     "contact/test_obstacles.py::test_own_obstacle_stays_out_of_the_kernels_on_disk",
     "contact/test_rings.py::test_a_flight_into_a_thin_pole_closes_its_ledger",

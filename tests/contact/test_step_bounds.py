@@ -16,10 +16,15 @@ from builders.cases import nonempty
 from builders.scenes import surface
 from springback.contact.cage import Ring
 from springback.contact.obstacles import Forces, Obstacle, Plane, World, signed_distance
+from springback.contact.step_bounds import (
+    friction_damping,
+    friction_rate_bound,
+    inverse_inertia,
+)
 from springback.dynamics.air import Still
 from springback.dynamics.motion import Free, Rates, rates
 from springback.kernels.trees import leaves, rebuilt
-from springback.kernels.vectors import Quat, Vec, norm, normalise, rotation
+from springback.kernels.vectors import Mat3, Quat, Vec, norm, normalise, rotation
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.state import Airframe, Sphere, State
 
@@ -115,6 +120,24 @@ def test_it_is_the_truth_for_a_rigid_vehicle_that_meets_a_wall_upright() -> None
     for depths, near in (((3e-3, 3e-3), 1e-8), ((4e-3, 3e-3), 2e-3)):
         contact = pressed("quad", Quat(1.0, 0.0, 0.0, 0.0), depths, 0.0)
         assert contact.bound == pytest.approx(contact.truth, rel=near)
+
+
+def test_the_bound_holds_out_of_the_plane_of_the_arms() -> None:
+    """Hulls of arms touch anywhere: λ of a rigid body with a damper at any point, on any surface."""
+    chance, mass, moments = np.random.default_rng(8), 1.2, np.array([0.009, 0.011, 0.018])
+    inertia = Mat3(*(Vec(*row) for row in np.diag(moments).tolist()))
+    for _ in range(300):
+        n, p = chance.normal(size=3), chance.uniform(-0.3, 0.3, size=3)
+        n /= np.linalg.norm(n)
+        slip = np.hstack([np.eye(3), -np.cross(np.eye(3), p).T])  # v + ω × p
+        k = slip.T @ (np.eye(3) - np.outer(n, n)) @ slip
+        truth = np.linalg.eigvals(k / np.array([mass] * 3 + moments.tolist())[:, None]).real.max()
+        grip = friction_damping(1.0, Vec(*n.tolist()), Vec(*p.tolist()), Vec(1.0, 0.0, 0.0))
+        bound = friction_rate_bound(
+            grip, (0.0,), (0.0,), 1.0 / mass, inertia, inverse_inertia(inertia)
+        )
+        assert truth * (1.0 - 1e-9) < bound < 5.0 * truth
+        assert grip.alone == 1.0
 
 
 def test_without_contact_there_is_none() -> None:

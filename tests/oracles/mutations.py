@@ -39,6 +39,9 @@ HULL = ("contact/test_hull.py dynamics/test_clearance.py dynamics/test_rigid.py"
 RINGS = ("contact/test_rings.py contact/test_cages.py", "not flight")
 SCENE = ("contact/test_solids.py contact/test_scene.py", "")
 CHARACTER = ("recovery/test_characterisation.py", "leaning or tangent or taken")
+#: Of hulls of all kinds: distances by the routine, and two surfaces in series.
+HULLS = ("contact/test_hull_distances.py", "dense_samples and (box or pole or window)")
+SERIES = ("contact/test_series.py", "")
 GRIP = ("contact/test_step_bounds.py contact/test_hull.py", "bound or truth or rate")
 RULES = ("simulation/test_observed.py", "")
 PEAK = ("simulation/test_peaks.py simulation/test_observed.py", "")
@@ -73,6 +76,11 @@ class Mutation(NamedTuple):
 CAGE, SURFACES, MOTION = "contact/cage.py", "contact/surfaces.py", "dynamics/motion.py"
 STATE, ENERGY, VECTORS = "vehicle/state.py", "dynamics/energy.py", "kernels/vectors.py"
 OBSTACLES, STOPS, SOLUTION = "contact/obstacles.py", "dynamics/stops.py", "dynamics/solution.py"
+ROUNDED_HULLS, HULL_EDGES, SERIES_LAW = (
+    "contact/hulls/rounded.py",
+    "contact/hulls/edges.py",
+    "contact/hulls/series.py",
+)
 HULL_CONTACT, HULL_STATE, TOUCHES = (
     "contact/hull_contact.py",
     "dynamics/hull_state.py",
@@ -197,6 +205,13 @@ MUTATIONS = (
     Mutation("hull, no impulse", RECORD, "maximum(field_of(view.arms, \"impulsive\") + field_of(view.hull, \"impulsive\"))", "maximum(field_of(view.arms, \"impulsive\"))", RULES),
     Mutation("hull, its contacts uncounted", RECORD, "(before.hull, at.hull,", "(before.hull, before.hull,", RULES),
     Mutation("hull, not struck", IMPULSES, "of_cages + tree_map(_hits_of_hull, (airframe.hull,), (obstacles, body))", "of_cages", IMPULSE),
+    # hulls of all kinds
+    Mutation("hulls, rounding on the far side", ROUNDED_HULLS, "lever = low.point + radius * inward", "lever = low.point - radius * inward", HULLS),
+    Mutation("hulls, without their radius", ROUNDED_HULLS, "NearestFace(low.gap - radius, inward, at", "NearestFace(low.gap, inward, at", HULLS),
+    Mutation("hulls, a deeper edge is less deep", ROUNDED_HULLS, "gap = given - (root - SHARED)", "gap = given + (root - SHARED)", HULLS),
+    Mutation("hulls, slope along an edge, sign", HULL_EDGES, "slope = near_face(shape, a + share * along).normal @ along", "slope = -(near_face(shape, a + share * along).normal @ along)", HULLS),
+    Mutation("hulls, in parallel", SERIES_LAW, "k = 1.0 / power(AnyExponent(n), both)", "k = k + law.compliance ** (-n)", SERIES),
+    Mutation("hulls, dampers share alike", SERIES_LAW, "d = here * here * d + there * there * law.dissipation", "d = here * d + there * law.dissipation", SERIES),
     # contact on or off
     Mutation("contact on within a step", CAGE, "touches & (engaged > 0.0)", "touches", FLIGHT),
     Mutation("contact never on", CAGE, "touches & (engaged > 0.0)", "touches & (engaged > 2.0)", QUICK),

@@ -1,5 +1,6 @@
 // Model of a robot: main body, sliding arms, springs that compress, cages.
 import * as THREE from "three";
+import { unpacked } from "./flight.js";
 
 const TURNS = 7;
 const WIRE = 0.0022;
@@ -19,6 +20,16 @@ function helix(radius) {
 function rod(radius, sides = 14) {
   const shape = new THREE.CylinderGeometry(radius, radius, 1, sides);
   return shape.rotateZ(-Math.PI / 2).translate(0.5, 0, 0);
+}
+
+/** A hull of which the triangles are given. */
+function solid(mesh, paint) {
+  const shape = new THREE.BufferGeometry();
+  shape.setAttribute("position", new THREE.BufferAttribute(unpacked(mesh.vertices), 3));
+  shape.setIndex(new THREE.BufferAttribute(new Uint32Array(unpacked(mesh.triangles)), 1));
+  const flat = shape.toNonIndexed();
+  flat.computeVertexNormals();
+  return new THREE.Mesh(flat, paint);
 }
 
 /** An arrow whose head keeps its size when scaled: shaft and head are separate. */
@@ -85,6 +96,10 @@ export class Robot {
 
     this.hulls = flight.hull.map((hull) => {
       const glass = paint(look.colour, { transparent: true, opacity: 0.22 * look.opacity, depthWrite: false });
+      if (hull.meshes.length) {
+        for (const one of hull.meshes) this.group.add(solid(one, glass));
+        return glass;
+      }
       const sphere = new THREE.Mesh(new THREE.SphereGeometry(hull.radius, 32, 20), glass);
       sphere.position.set(...hull.centre);
       this.group.add(sphere);
@@ -139,6 +154,11 @@ export class Robot {
     const cagePaint = paint(look.colour, { roughness: 0.4 });
     const cage = new THREE.Mesh(new THREE.TorusGeometry(arm.cage_radius - 0.0035 * unit, 0.0035 * unit, 10, 72), cagePaint);
     end.add(motor, disc, blades, cage);
+    const glass = paint(look.colour, { transparent: true, opacity: 0.22 * look.opacity, depthWrite: false });
+    const hulls = new THREE.Group(); // in body axes, from the end of the arm
+    hulls.rotation.z = -frame.rotation.z;
+    for (const one of arm.hulls) hulls.add(solid(one, glass));
+    end.add(hulls);
     for (let k = 0; k < 3; k++) {
       const strut = new THREE.Mesh(rod(0.0016 * unit, 6), metal);
       strut.rotation.z = (2 * Math.PI * (k + 0.5)) / 3;

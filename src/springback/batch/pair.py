@@ -105,6 +105,11 @@ def _check_common(first: Scenario, second: Scenario) -> None:
 
 def _side(scenario: Scenario, name: str) -> PairedFlight:
     """One vehicle, in the world as a scene."""
+    if scenario.vehicle.hulls:
+        raise InputError(
+            f"{name}: vehicle.hulls: cannot be combined with a second vehicle: hulls besides cages "
+            "and the sphere vehicle.hull do not touch it"
+        )
     built = ready_flight(scenario)
     if built.plain is not None:
         raise InputError(f"{name}.pilot: must be compiled to fly beside another vehicle")

@@ -1,8 +1,9 @@
-"""Contact of the main body's hull with obstacles.
+"""Contact of hulls with obstacles: of the main body's, and of those at the ends of arms.
 
 A sphere is the one body whose contact with any obstacle is exact: its gap is the signed distance of
 its centre less its radius, and it touches on the normal through its centre.  It obeys the same laws
-as a cage (`springback.contact.cage.face_contact`).
+as a cage (`springback.contact.cage.face_contact`).  All other hulls, and several, are a
+`CompoundHull`, which meets scenes (`springback.contact.hulls`).
 """
 
 from __future__ import annotations
@@ -16,33 +17,113 @@ from springback.contact.cage import (
     contact_faces,
     face_contact,
     lowest_gap,
+    per_face,
 )
-from springback.kernels.compiler import kernel
+from springback.contact.hulls.faces import compound_faces, compound_flags, compound_gaps
+from springback.kernels.compiler import generic, kernel
+from springback.kernels.trees import fold, minimum, one_tuple, tree_map
 from springback.kernels.vectors import Vec
-from springback.vehicle.state import ArmPose, Sphere
+from springback.vehicle.state import Arm, ArmPose, CompoundHull, Sphere
 
 
+@generic
+def hull_pose(hull: Any, velocity: Vec) -> ArmPose:
+    """Pose of what a hull's levers begin at, as the end of an arm that does not slide.
+
+    Args:
+        hull: Of the main body.
+        velocity: Rᵀ v, of the main body, body axes [m/s].
+    """
+    raise TypeError(f"{type(hull).__name__} is not a hull")
+
+
+@hull_pose.register(Sphere)
 @kernel
-def _pose(hull: Sphere, velocity: Vec) -> ArmPose:
-    """Pose of a sphere as the end of an arm that does not slide."""
+def _sphere_pose(hull: Sphere, velocity: Vec) -> ArmPose:
     return ArmPose(Vec(0.0, 0.0, 0.0), hull.centre, velocity)
 
 
+@hull_pose.register(CompoundHull)
 @kernel
-def hull_gap(hull: Sphere, obstacles: Any) -> float:
+def _compound_pose(hull: CompoundHull, velocity: Vec) -> ArmPose:
+    none = Vec(0.0, 0.0, 0.0)
+    return ArmPose(none, none, velocity)
+
+
+@generic
+def hull_gap(hull: Any, obstacles: Any) -> float:
     """Gap between the hull and the nearest obstacle in the body frame, or less if it is far [m]."""
-    return lowest_gap(obstacles, hull, hull.radius, _pose(hull, Vec(0.0, 0.0, 0.0)))
+    raise TypeError(f"{type(hull).__name__} is not a hull")
 
 
+@hull_gap.register(Sphere)
 @kernel
-def hull_faces(hull: Sphere, obstacles: Any, engaged: float) -> tuple[ContactFace, ...]:
+def _sphere_gap(hull: Sphere, obstacles: Any) -> float:
+    return lowest_gap(obstacles, hull, hull.radius, hull_pose(hull, Vec(0.0, 0.0, 0.0)))
+
+
+@hull_gap.register(CompoundHull)
+@kernel
+def _compound_gap(hull: CompoundHull, obstacles: Any) -> float:
+    return minimum(compound_gaps(obstacles, hull, Vec(0.0, 0.0, 0.0)))
+
+
+@generic
+def hull_faces(hull: Any, obstacles: Any, engaged: float) -> tuple[ContactFace, ...]:
     """The faces that the hull can meet, of obstacles in the body frame; see `contact_faces`."""
-    pose = _pose(hull, Vec(0.0, 0.0, 0.0))
+    raise TypeError(f"{type(hull).__name__} is not a hull")
+
+
+@hull_faces.register(Sphere)
+@kernel
+def _sphere_faces(hull: Sphere, obstacles: Any, engaged: float) -> tuple[ContactFace, ...]:
+    pose = hull_pose(hull, Vec(0.0, 0.0, 0.0))
     return contact_faces(obstacles, hull, hull.radius, pose, engaged)
 
 
+@hull_faces.register(CompoundHull)
 @kernel
-def hull_contact(face: ContactFace, engaged: float, hull: Sphere, body: BodyMotion) -> CageContact:
+def _compound_faces(hull: CompoundHull, obstacles: Any, engaged: float) -> tuple[ContactFace, ...]:
+    return compound_faces(obstacles, hull, Vec(0.0, 0.0, 0.0), engaged)
+
+
+@generic
+def hull_flags(hull: Any, obstacles: Any, value: float) -> tuple[float, ...]:
+    """The same number for every face of `hull_faces`."""
+    return per_face(obstacles, value)
+
+
+@hull_flags.register(CompoundHull)
+@kernel
+def _compound_flags(hull: CompoundHull, obstacles: Any, value: float) -> tuple[float, ...]:
+    return compound_flags(obstacles, value)
+
+
+@generic
+def hull_gaps(hull: Any, obstacles: Any) -> tuple[float, ...]:
+    """Gaps of a hull, as many as a cage has faces: the least for each shape of the user's own."""
+    raise TypeError(f"{type(hull).__name__} is not a hull")
+
+
+@kernel
+def _gap_of(face: ContactFace) -> float:
+    return face.nearest.gap
+
+
+@hull_gaps.register(Sphere)
+@kernel
+def _sphere_gaps(hull: Sphere, obstacles: Any) -> tuple[float, ...]:
+    return tree_map(_gap_of, (hull_faces(hull, obstacles, 1.0),), ())
+
+
+@hull_gaps.register(CompoundHull)
+@kernel
+def _compound_gaps(hull: CompoundHull, obstacles: Any) -> tuple[float, ...]:
+    return compound_gaps(obstacles, hull, Vec(0.0, 0.0, 0.0))
+
+
+@kernel
+def hull_contact(face: ContactFace, engaged: float, hull: Any, body: BodyMotion) -> CageContact:
     """Contact of the hull with a face that it meets, eqs. (13)-(15).
 
     Args:
@@ -51,4 +132,80 @@ def hull_contact(face: ContactFace, engaged: float, hull: Sphere, body: BodyMoti
         hull: Hull of the main body.
         body: Motion of the main body.
     """
-    return face_contact(face, engaged, _pose(hull, body.velocity), body)
+    return face_contact(face, engaged, hull_pose(hull, body.velocity), body)
+
+
+# -- arms ------------------------------------------------------------------------------------------
+
+
+@kernel
+def _faces_at_end(
+    hull: CompoundHull, obstacles: Any, lever: Vec, engaged: float
+) -> tuple[ContactFace, ...]:
+    return compound_faces(obstacles, hull, lever, engaged)
+
+
+@kernel
+def arm_faces(
+    arm: Arm, obstacles: Any, contact_point: Any, pose: ArmPose, engaged: float
+) -> tuple[ContactFace, ...]:
+    """The faces that an arm can meet: its cage, then its hulls; see `contact_faces`.
+
+    Args:
+        arm: Constants of the arm.
+        obstacles: In the body frame.
+        contact_point: `Ring` or `ArmTip`.
+        pose: Pose of the arm.
+        engaged: 0 where no force of theirs will act.
+    """
+    cage = contact_faces(obstacles, contact_point, arm.cage_radius, pose, engaged)
+    return cage + one_tuple(tree_map(_faces_at_end, (arm.hull,), (obstacles, pose.lever, engaged)))
+
+
+@kernel
+def _flags_at_end(hull: CompoundHull, obstacles: Any, value: float) -> tuple[float, ...]:
+    return compound_flags(obstacles, value)
+
+
+@kernel
+def arm_flags(arm: Arm, obstacles: Any, value: float) -> tuple[float, ...]:
+    """The same number for every face of `arm_faces`."""
+    return per_face(obstacles, value) + one_tuple(
+        tree_map(_flags_at_end, (arm.hull,), (obstacles, value))
+    )
+
+
+@kernel
+def _nearer(so_far: float, hull: CompoundHull, obstacles: Any, lever: Vec) -> float:
+    there = minimum(compound_gaps(obstacles, hull, lever))
+    return there if there < so_far else so_far
+
+
+@kernel
+def arm_gap(arm: Arm, obstacles: Any, contact_point: Any, pose: ArmPose) -> float:
+    """Gap between an arm and the nearest obstacle, or less if it is far [m].
+
+    Arguments are as for `arm_faces`.
+    """
+    cage = lowest_gap(obstacles, contact_point, arm.cage_radius, pose)
+    return fold(_nearer, cage, arm.hull, (obstacles, pose.lever))
+
+
+@kernel
+def _lesser(a: float, b: float) -> float:
+    return a if a < b else b
+
+
+@kernel
+def _with_gaps(
+    so_far: tuple[float, ...], hull: CompoundHull, obstacles: Any, lever: Vec
+) -> tuple[float, ...]:
+    return tree_map(_lesser, (so_far, compound_gaps(obstacles, hull, lever)), ())
+
+
+@kernel
+def arm_gaps(arm: Arm, obstacles: Any, contact_point: Any, pose: ArmPose) -> tuple[float, ...]:
+    """Gaps of an arm, as many as its cage has faces; see `hull_gaps`."""
+    faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose, 1.0)
+    gaps = tree_map(_gap_of, (faces,), ())
+    return fold(_with_gaps, gaps, arm.hull, (obstacles, pose.lever))

@@ -38,6 +38,7 @@ class FrictionDamping(NamedTuple):
     about_both: float  # g (1 − n_z²) p_x p_y [N m s]
     lean: float  # g n_z² [N s/m]
     lean_about_z: float  # g n_z² p² [N m s]
+    alone: float  # the same damper, by itself, wherever it acts [N s/m]
 
 
 @kernel
@@ -47,14 +48,18 @@ def friction_damping(damper: float, normal: Vec, point: Vec, arm_direction: Vec)
     Args:
         damper: g [N s/m].
         normal: Unit normal n.
-        point: p, of contact, in the plane of the arms [m].
+        point: p, of contact; out of the plane of the arms the bound is twice as far [m].
         arm_direction: e.
     """
-    g, along, out = damper, arm_direction @ normal, normal.z * normal.z
-    upright, pn, square = g * (1.0 - out), point @ normal, point @ point
+    # (a + b)ᵀ(a + b) ≤ 2 aᵀa + 2 bᵀb, for the slip by p in the plane and by p_z across it.
+    z = point.z
+    g, flat = damper if z == 0.0 else 2.0 * damper, Vec(point.x, point.y, 0.0)
+    along, out, tilt = arm_direction @ normal, normal.z * normal.z, g * (z * z)
+    upright, pn, square = g * (1.0 - out), flat @ normal, flat @ flat
     return FrictionDamping(
-        g, g * (1.0 - along * along), g * (pn * pn + out * square), upright * point.y * point.y,
-        upright * point.x * point.x, upright * point.x * point.y, g * out, g * out * square,
+        g, g * (1.0 - along * along), g * (pn * pn + out * square),
+        upright * point.y * point.y + tilt, upright * point.x * point.x + tilt,
+        upright * point.x * point.y, g * out, g * out * square, damper,
     )  # fmt: skip
 
 

@@ -24,6 +24,7 @@ from springback.control.references import Polynomials
 from springback.control.septics import Row, septics, shares
 from springback.errors import InputError
 from springback.kernels.vectors import Vec
+from springback.vehicle.hulls import hull_reach
 from springback.vehicle.state import Airframe, arm_direction
 
 #: Segments of every run-up: the most that one needs, with its steady phase and two after contact.
@@ -62,7 +63,10 @@ def reach(airframe: Airframe, contact_point: Any, pitch: float, yaw: float = 0.0
         e = arm_direction(arm)
         at = support(contact_point, inward, e, arm.cage_radius)
         ends.append(inward @ (arm.length * e + at.point) - at.inset)
-    hulls = [inward @ hull.centre + hull.radius for hull in airframe.hull]
+    hulls = [hull_reach(hull, inward) for hull in airframe.hull]
+    for arm in airframe.arms:
+        at_end = [hull_reach(hull, inward) for hull in arm.hull]
+        hulls += [arm.length * (inward @ arm_direction(arm)) + ahead for ahead in at_end]
     return max(ends + hulls)
 
 

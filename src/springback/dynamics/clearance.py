@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from springback.contact.cage import lowest_gap, obstacles_in_body_frame, obstacles_now
-from springback.contact.hull_contact import hull_gap
+from springback.contact.cage import obstacles_in_body_frame, obstacles_now
+from springback.contact.hull_contact import arm_gap, hull_gap
 from springback.contact.obstacles import World
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import minimum, tree_map
@@ -18,7 +18,7 @@ def _of_arm(
     arm: Arm, length: float, rate: float, obstacles: Any, point: Any, state: State
 ) -> float:
     pose = arm_pose(arm, length, rate, state.velocity)  # only its position is used
-    return lowest_gap(obstacles, point, arm.cage_radius, pose)
+    return arm_gap(arm, obstacles, point, pose)
 
 
 @kernel

@@ -8,11 +8,10 @@ from springback.contact.cage import (
     BodyMotion,
     ContactFace,
     body_motion,
-    contact_faces,
     obstacles_in_body_frame,
     obstacles_now,
 )
-from springback.contact.hull_contact import hull_faces
+from springback.contact.hull_contact import arm_faces, hull_faces
 from springback.contact.obstacles import World
 from springback.contact.surfaces import elastic_energy
 from springback.dynamics.moving_obstacles import BodyEnergy, bodies_energy
@@ -28,7 +27,6 @@ from springback.kernels.vectors import (
 from springback.vehicle.state import (
     Airframe,
     Arm,
-    Sphere,
     State,
     arm_direction,
     arm_pose,
@@ -65,7 +63,7 @@ def _arm_energy(
     """Energy of an arm in a world whose obstacles are in the body frame."""
     pose = arm_pose(arm, length, rate, body.velocity)
     velocity = pose.sliding + (body.omega ^ pose.lever)
-    faces = contact_faces(world.obstacles, contact_point, arm.cage_radius, pose, 1.0)
+    faces = arm_faces(arm, world.obstacles, contact_point, pose, 1.0)
     stored = tree_map(_contact_energy, (faces,), ())
     pressed = positive_part(arm.shortest - length) * positive_part(arm.shortest - length)
     pressed += positive_part(length - arm.length) * positive_part(length - arm.length)
@@ -89,7 +87,7 @@ def _contact_energy(face: ContactFace) -> float:
 
 
 @rare_kernel
-def _hull_energy(so_far: float, hull: Sphere, obstacles: Any) -> float:
+def _hull_energy(so_far: float, hull: Any, obstacles: Any) -> float:
     """Elastic energy of contacts, with those of the hull added [J]."""
     return so_far + tree_sum(tree_map(_contact_energy, (hull_faces(hull, obstacles, 1.0),), ()))
 

@@ -26,7 +26,6 @@ from springback.dynamics.touches import (
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import field_of, fold, maximum, minimum, tree_map, tree_sum
 from springback.kernels.vectors import Vec, positive_part
-from springback.vehicle.state import Sphere
 
 
 class HullView(NamedTuple):
@@ -54,7 +53,7 @@ class HullState(NamedTuple):
 
 @kernel
 def hull_state(
-    hull: Sphere,
+    hull: Any,
     engaged: tuple[float, ...],
     push: tuple[PartPush, ...],
     obstacles: Any,
@@ -63,7 +62,7 @@ def hull_state(
     """Contact, view and step limits of the hull at one instant.
 
     Args:
-        hull: Hull of the main body.
+        hull: Hull of the main body, a `Sphere` or a `CompoundHull`.
         engaged: For each face, 0 if it was not touched when the step began.
         push: Of another vehicle, if there is one.
         obstacles: In the body frame.
@@ -88,7 +87,7 @@ def hull_state(
     slips = tree_map(slip_of, (met,), ())
     touched = touched_normal(met, gap, engaged_now)
     contact = contact_of(touch, moving_bodies(obstacles), met)
-    return HullState(contact, view, touched, touch.grip.damper, farthest, slips)
+    return HullState(contact, view, touched, touch.grip.alone, farthest, slips)
 
 
 @kernel

@@ -20,21 +20,20 @@ from springback.contact.cage import (
     CageContact,
     ContactFace,
     body_motion,
-    contact_faces,
     face_contact,
     obstacles_in_body_frame,
     obstacles_now,
     slip_velocity,
 )
-from springback.contact.hull_contact import hull_contact, hull_faces
+from springback.contact.hull_contact import arm_faces, hull_contact, hull_faces
 from springback.contact.obstacles import World
 from springback.contact.surfaces import Surface
 from springback.dynamics.energy import about_mass_centre, energy, spread
 from springback.dynamics.motion import LANDED, RESTING, Motion, Work
 from springback.kernels.compiler import rare_kernel
-from springback.kernels.trees import tree_map, tree_sum
+from springback.kernels.trees import one_tuple, tree_map, tree_sum
 from springback.kernels.vectors import Mat3, Vec, positive_part, solve_symmetric
-from springback.vehicle.state import Airframe, Arm, Sphere, State, arm_pose, arms_inertia
+from springback.vehicle.state import Airframe, Arm, State, arm_pose, arms_inertia
 
 #: Speeds below this are rounding [m/s].
 STILL = 1e-12
@@ -67,7 +66,7 @@ def _hit_by_arm(face: ContactFace, arm: Any, body: BodyMotion) -> ImpulseContact
 
 
 @rare_kernel
-def _hit_by_hull(face: ContactFace, hull: Sphere, body: BodyMotion) -> ImpulseContact:
+def _hit_by_hull(face: ContactFace, hull: Any, body: BodyMotion) -> ImpulseContact:
     return _hit(hull_contact(face, 1.0, hull, body), body.r)
 
 
@@ -96,12 +95,12 @@ def _hits_of_arm(
     body: BodyMotion,
 ) -> tuple[ImpulseContact, ...]:
     pose = arm_pose(arm, length, rate, body.velocity)
-    faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose, 1.0)
+    faces = arm_faces(arm, obstacles, contact_point, pose, 1.0)
     return tree_map(_hit_by_arm, (faces,), (pose, body))
 
 
 @rare_kernel
-def _hits_of_hull(hull: Sphere, obstacles: Any, body: BodyMotion) -> tuple[ImpulseContact, ...]:
+def _hits_of_hull(hull: Any, obstacles: Any, body: BodyMotion) -> tuple[ImpulseContact, ...]:
     return tree_map(_hit_by_hull, (hull_faces(hull, obstacles, 1.0),), (hull, body))
 
 
@@ -141,8 +140,8 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
         (airframe.arms, state.arm_length, state.arm_rate),
         (obstacles, contact_point, body),
     )
-    hits = of_cages + tree_map(_hits_of_hull, (airframe.hull,), (obstacles, body))
-    count = len(hits) * len(hits[0])
+    hits = one_tuple(of_cages + tree_map(_hits_of_hull, (airframe.hull,), (obstacles, body)))
+    count = len(hits)
     w = r @ state.angular_velocity
     v = state.velocity + (w ^ centre) + drift
 
@@ -150,7 +149,7 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
     active, sunk, tolerated = 0, Vec(0.0, 0.0, 0.0), RESTING_STRUCK_AGAIN
     taken, given_back, rubbed_off, given = [0.0] * count, [0.0] * count, 0.0, Vec(0.0, 0.0, 0.0)
     for k in range(count):
-        hit = hits[k // len(hits[0])][k % len(hits[0])]
+        hit = hits[k]
         if hit.near > 0.0:
             n, rho = hit.normal, hit.lever - centre
             closing = -((v + (w ^ rho)) @ n)
@@ -170,7 +169,7 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
         rub = [Vec(0.0, 0.0, 0.0)] * count
         for k in range(count):
             if open_[k]:
-                hit = hits[k // len(hits[0])][k % len(hits[0])]
+                hit = hits[k]
                 n, rho = hit.normal, hit.lever - centre
                 slip = slip_velocity(hit.surface, v + (w ^ rho), n, up)
                 speed = math.sqrt(slip @ slip)
@@ -186,7 +185,7 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
         share, next_ = 1.0, -1
         for k in range(count):
             if open_[k]:
-                hit = hits[k // len(hits[0])][k % len(hits[0])]
+                hit = hits[k]
                 n, rho = hit.normal, hit.lever - centre
                 speed, gain = (v + (w ^ rho)) @ n, (dv + (dw ^ rho)) @ n
                 if speed < -STILL and speed + gain > 0.0 and -speed / gain < share:
@@ -202,7 +201,7 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
         new_v, new_w = v + dv * share, w + dw * share
         for k in range(count):
             if open_[k]:
-                hit = hits[k // len(hits[0])][k % len(hits[0])]
+                hit = hits[k]
                 n, rho = hit.normal, hit.lever - centre
                 mean = (v + new_v + ((w + new_w) ^ rho)) * 0.5
                 done = share * part[k] * (mean @ n)
@@ -214,7 +213,7 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
         if next_ >= 0:
             open_[next_], active = False, active - 1
         for k in range(count):  # a cage that another one pushes in strikes, or strikes again
-            hit = hits[k // len(hits[0])][k % len(hits[0])]
+            hit = hits[k]
             n, rho = hit.normal, hit.lever - centre
             closing = -((v + (w ^ rho)) @ n)
             if hit.near > 0.0 and not open_[k] and closing > tolerated:

@@ -32,13 +32,12 @@ from springback.contact.cage import LANDED as LANDED
 from springback.contact.cage import (
     BodyMotion,
     body_motion,
-    contact_faces,
     face_contact,
     moving_bodies,
     obstacles_in_body_frame,
     obstacles_now,
-    per_face,
 )
+from springback.contact.hull_contact import arm_faces, arm_flags, hull_flags
 from springback.contact.obstacles import World
 from springback.contact.step_bounds import (
     ArmFrictionRate,
@@ -230,7 +229,7 @@ def arm_state(
     e, lever = pose.direction, pose.lever
 
     touching = maximum(engaged)
-    faces = contact_faces(around.obstacles, around.contact_point, arm.cage_radius, pose, touching)
+    faces = arm_faces(arm, around.obstacles, around.contact_point, pose, touching)
     met = tree_map(face_contact, (faces, engaged), (pose, body))
     touch = fold(with_push, tree_sum(field_of(met, "touch")), push, (lever, body.r))
     gap = minimum(field_of(met, "gap"))
@@ -315,11 +314,6 @@ class Rates(NamedTuple):
 
 
 @kernel
-def _engaged_part(part: Any, obstacles: Any) -> tuple[float, ...]:
-    return per_face(obstacles, 1.0)
-
-
-@kernel
 def _together(so_far: Contact, more: Contact) -> Contact:
     return tree_sum((so_far, more))
 
@@ -366,8 +360,8 @@ def rates(plant: Plant, state: State, released: float) -> Rates:
         released: 1 lets the compliant arms slide, 0 locks all arms (rigid flight).
     """
     engaged = Engaged(
-        tree_map(_engaged_part, (plant.airframe.arms,), (plant.world.obstacles,)),
-        tree_map(_engaged_part, (plant.airframe.hull,), (plant.world.obstacles,)),
+        tree_map(arm_flags, (plant.airframe.arms,), (plant.world.obstacles, 1.0)),
+        tree_map(hull_flags, (plant.airframe.hull,), (plant.world.obstacles, 1.0)),
         tree_map(all_flags, (moving_bodies(plant.world.obstacles),), ()),
     )
     return rates_while(plant, state, released, engaged)

@@ -106,7 +106,7 @@ def _with_contact(so_far: BodyTouch, met: CageContact, k: int) -> BodyTouch:
     return BodyTouch(
         s.force + touch.force, s.moment + touch.moment, s.contact_loss + touch.contact_loss,
         s.friction_loss + touch.friction_loss, s.stiffness + touch.press.stiffness,
-        s.damper + touch.press.damper, s.grip + touch.grip.damper, s.per_speed + met.per_speed,
+        s.damper + touch.press.damper, s.grip + touch.grip.alone, s.per_speed + met.per_speed,
         s.elastic + elastic_energy(met.surface, positive_part(-met.gap)),
         met.gap if met.gap < s.gap else s.gap, sooner(s.crossing, crossing(met.gap, met.rate)),
         s.engaged + bit * float(1 << k),
@@ -127,7 +127,7 @@ def body_touch(body: MovingBody, pose: BodyPose, still: SolidScene, flags: float
     touch = _no_touch(1e9)
     if (body.points == 0.0) | (body.kind != FREE):
         return touch
-    world = SceneInBodyFrame(still.table, still.query, (), pose.position, r, still.exact)
+    world = SceneInBodyFrame(still.table, still.query, (), pose.position, r, still.exact, 0.0, 0.0)
     around = lowest_gap(world, Sphere(none, body.reach), body.reach, ArmPose(none, none, none))
     if around > LANDED:
         return replace(touch, gap=around)

@@ -91,7 +91,7 @@ def _of_face(met: CageContact, motion: FaceMotion, number: float) -> Reaction:
     touch = met.touch
     return Reaction(
         ours * touch.force, ours * touch.moment, ours * touch.press.stiffness,
-        ours * touch.press.damper, ours * touch.grip.damper, ours * met.per_speed,
+        ours * touch.press.damper, ours * touch.grip.alone, ours * met.per_speed,
         ours * is_in_contact(met), ours * touch.normal,
     )  # fmt: skip
 

@@ -100,6 +100,11 @@ def field_of(trees: tuple[Any, ...], field: str) -> tuple[Any, ...]:
     return tuple(getattr(tree, field) for tree in trees)
 
 
+def one_tuple(tuples: tuple[tuple[T, ...], ...]) -> tuple[T, ...]:
+    """The entries of several tuples in one."""
+    return tuple(entry for one in tuples for entry in one)
+
+
 def tree_sum(trees: tuple[T, ...]) -> T:
     """Leaf-by-leaf sum of trees of the same shape."""
     first, *others = trees
@@ -247,6 +252,13 @@ def _column(trees: Any, field: Any) -> Any:
         return None
     fields = [f"trees[{j}].{field.literal_value}" for j in range(len(trees))]
     return function_of("trees, field", [f"return {_tuple(fields)}"], {})
+
+
+@compiler_rule(one_tuple)
+def _joined_source(tuples: Any) -> Any:
+    lines = [f"t{j} = tuples[{j}]" for j in range(len(tuples))]
+    entries = [f"t{j}[{k}]" for j in range(len(tuples)) for k in range(len(tuples[j]))]
+    return function_of("tuples", [*lines, f"return {_tuple(entries)}"], {})
 
 
 @compiler_rule(tree_sum)

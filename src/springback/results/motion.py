@@ -16,13 +16,19 @@ from springback.contact.cage import (
     CageContact,
     ContactFace,
     body_motion,
-    contact_faces,
     face_contact,
     obstacles_in_body_frame,
     obstacles_now,
     per_face,
 )
-from springback.contact.hull_contact import hull_contact, hull_faces
+from springback.contact.hull_contact import (
+    arm_faces,
+    arm_gaps,
+    hull_contact,
+    hull_faces,
+    hull_gaps,
+)
+from springback.contact.moving.hulls import with_hulls
 from springback.contact.moving.scene import MovingScene, exactly
 from springback.contact.parameters import faces
 from springback.contact.scene.faces import FACES, SolidScene
@@ -35,6 +41,7 @@ from springback.kernels.trees import leaves, names, rebuilt, tree_map, tree_sum
 from springback.kernels.vectors import Vec
 from springback.results.result import FlightResult
 from springback.scenario.avionics import devices_of, normals_at_start, propulsion_of
+from springback.scenario.model import RING_ROUNDING
 from springback.scenario.scenario import Scenario
 from springback.scenario.tables import UserShape
 from springback.scenario.worlds.imported import Imported, single_obstacles
@@ -46,7 +53,7 @@ from springback.simulation.onboard import Truth, sensor_step
 from springback.simulation.playback import Instant, states_at
 from springback.simulation.record import Model
 from springback.vehicle.rotors import lag_over
-from springback.vehicle.state import Arm, Sphere, State, arm_pose
+from springback.vehicle.state import Arm, State, arm_pose
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -169,18 +176,13 @@ def _on_cage(face: ContactFace, arm: Any, body: BodyMotion) -> CageContact:
 
 
 @kernel
-def _on_hull(face: ContactFace, hull: Sphere, body: BodyMotion) -> CageContact:
+def _on_hull(face: ContactFace, hull: Any, body: BodyMotion) -> CageContact:
     return hull_contact(face, 1.0, hull, body)
 
 
 @kernel
 def _moment(contact: CageContact) -> Vec:
     return contact.touch.moment
-
-
-@kernel
-def _gap(contact: CageContact) -> float:
-    return contact.gap
 
 
 @kernel
@@ -193,15 +195,16 @@ def _arm_contact(
     body: BodyMotion,
 ) -> PartContact:
     pose = arm_pose(arm, length, rate, body.velocity)
-    faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose, 1.0)
+    faces = arm_faces(arm, obstacles, contact_point, pose, 1.0)
     found = tree_map(_on_cage, (faces,), (pose, body))
-    return PartContact(tree_sum(tree_map(_moment, (found,), ())), tree_map(_gap, (found,), ()))
+    gaps = arm_gaps(arm, obstacles, contact_point, pose)
+    return PartContact(tree_sum(tree_map(_moment, (found,), ())), gaps)
 
 
 @kernel
-def _hull_contact(hull: Sphere, obstacles: Any, body: BodyMotion) -> PartContact:
+def _hull_contact(hull: Any, obstacles: Any, body: BodyMotion) -> PartContact:
     found = tree_map(_on_hull, (hull_faces(hull, obstacles, 1.0),), (hull, body))
-    return PartContact(tree_sum(tree_map(_moment, (found,), ())), tree_map(_gap, (found,), ()))
+    return PartContact(tree_sum(tree_map(_moment, (found,), ())), hull_gaps(hull, obstacles))
 
 
 @kernel
@@ -381,6 +384,7 @@ def gaps(flight: FlightResult, obstacle: int | None = None, own: tuple[Own, ...]
         there = model.world.obstacles
         if obstacle is not None and obstacle < known:
             there = _alone(entries[obstacle], obstacle)
+            there = with_hulls(there, RING_ROUNDING) if flight.scenario.vehicle.hulls else there
         model = model._replace(world=model.world._replace(obstacles=exactly(there)))
         seen = contact_history(model, flight).gaps
         if obstacle is not None and obstacle >= known:

@@ -146,7 +146,7 @@ def _required_columns(vehicle: Vehicle) -> list[str]:
     names = ["t", *"xyz", *(f"q{p}" for p in "wxyz")]
     names += [f"{kind}{axis}" for kind in "vwa" for axis in "xyz"]
     names += [f"{kind}{j}" for kind in ("l", "dl", "fn", "ff") for j in numbers]
-    return names + (["fn_body", "ff_body"] if vehicle.hull else [])
+    return names + (["fn_body", "ff_body"] if vehicle.has_body_hull else [])
 
 
 def _check_vehicle(path: Path, columns: Mapping[str, Array], vehicle: Vehicle) -> None:
@@ -157,7 +157,7 @@ def _check_vehicle(path: Path, columns: Mapping[str, Array], vehicle: Vehicle) -
             f"{path}: is of a vehicle with {arms} arms; that of the scenario has "
             f"{vehicle.arm_count}"
         )
-    if "fn_body" in columns and not vehicle.hull:
+    if "fn_body" in columns and not vehicle.has_body_hull:
         raise InputError(f"{path}: is of a vehicle with a hull; that of the scenario has none")
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import itertools
 import math
 from collections.abc import Iterator
 from typing import Any
@@ -11,15 +12,15 @@ from pydantic_core import PydanticCustomError
 
 from springback.contact.cage import (
     LANDED,
-    lowest_gap,
     moving_bodies,
     obstacles_in_body_frame,
     obstacles_now,
 )
-from springback.contact.hull_contact import hull_gap
+from springback.contact.hull_contact import arm_gap, hull_gap
+from springback.contact.moving.hulls import with_hulls
 from springback.contact.moving.scene import MovingScene
 from springback.contact.obstacles import Plane, signed_distance
-from springback.contact.parameters import faces
+from springback.contact.parameters import SurfaceSettings, faces
 from springback.contact.scene.faces import SolidScene, distance_of
 from springback.contact.shapes import Box, ShapeSettings
 from springback.contact.worlds import obstacles
@@ -28,6 +29,7 @@ from springback.kernels.tracing import sqrt, traceable  # for batch set-up
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.scenario.avionics import devices_of
 from springback.scenario.model import (
+    RING_ROUNDING,
     settle_step,
     thrusts_of,
     true_body,
@@ -39,7 +41,7 @@ from springback.scenario.tables import (
     ThrustSettings,
     UserShape,
 )
-from springback.scenario.worlds.imported import Imported
+from springback.scenario.worlds.imported import Imported, single_obstacles
 from springback.sensing.parameters import SensorSettings
 from springback.settings import problem
 from springback.simulation.record import Model
@@ -62,12 +64,36 @@ def check_tables(scenario: ScenarioTables, build: Build = plain_build) -> None:
     """Reject what no pilot can fly; `check_start` is the last of these checks."""
     s = scenario
     check_reference(s)
+    check_hulls(s)
     thrust = build(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
     check_slider(s)
     body = build(true_body, s.vehicle, s.model_error, s.payload, build)
     build(check_steps, s.simulation, s.vehicle)
     rows = s.thrust.values if isinstance(s.thrust, ThrustSettings) else (thrust,)
     check_drag(s, body.mass if body else s.vehicle.body.mass, max(map(sum, rows)))
+
+
+def check_hulls(scenario: ScenarioTables) -> None:
+    """Reject springs of hulls and obstacles in series whose exponents differ."""
+    for k, hull in enumerate(scenario.vehicle.hulls):
+        if hull.surface is None:
+            continue
+        numbered = [
+            (number, one)
+            for number, entry in enumerate(scenario.world.obstacles)
+            for one in single_obstacles([entry])
+        ]
+        for (number, entry), name in itertools.product(numbered, ("surface", "backing")):
+            law = getattr(entry, name, None)
+            if not isinstance(law, SurfaceSettings) or law.law == "impulse":
+                continue
+            n, theirs = hull.surface.exponent, law.exponent_value()
+            if n != theirs:
+                raise problem(
+                    f"must be {theirs:g}, that of world.obstacles[{number}].{name}: springs in "
+                    f"series have the same exponent (got {n:g})",
+                    f"vehicle.hulls[{k}].surface.exponent",
+                )
 
 
 def check_reference(scenario: ScenarioTables) -> None:
@@ -228,10 +254,11 @@ def _one_by_one(scenario: ScenarioTables, model: Model, state: State) -> Iterato
     """Every built-in obstacle that may be in reach, and what it is, as in `World.obstacles`."""
     known = [(name, one) for name, one in _named(scenario) if not isinstance(one, UserShape)]
     if isinstance(model.world.obstacles, SolidScene | MovingScene):
-        reach = reach_of(model.airframe)
+        reach, hulled = reach_of(model.airframe), bool(scenario.vehicle.hulls)
         for name, one in known:
             if not _is_far(one, state.position, reach):
-                yield name, obstacles((one,))
+                alone = obstacles((one,), as_scene=hulled)
+                yield name, with_hulls(alone, RING_ROUNDING) if hulled else alone
         return
     names = [name for name, one in known if not isinstance(one, ShapeSettings) for _ in faces(one)]
     yield from zip(names, ((one,) for one in model.world.obstacles), strict=False)
@@ -259,16 +286,18 @@ def _is_far(one: Any, place: Vec, reach: float) -> bool:
 def _gaps(obstacles: Any, airframe: Airframe, contact_point: Any) -> tuple[float, ...]:
     """Gaps of cages and hull to obstacles in the body frame, arms at their free length [m]."""
     still = Vec(0.0, 0.0, 0.0)
-    poses = [(arm.cage_radius, arm_pose(arm, arm.length, 0.0, still)) for arm in airframe.arms]
-    cages = [lowest_gap(obstacles, contact_point, radius, pose) for radius, pose in poses]
+    poses = [(arm, arm_pose(arm, arm.length, 0.0, still)) for arm in airframe.arms]
+    cages = [arm_gap(arm, obstacles, contact_point, pose) for arm, pose in poses]
     return (*cages, *(hull_gap(hull, obstacles) for hull in airframe.hull))
 
 
 @traceable
 def reach_of(airframe: Airframe) -> float:
     """Upper bound on the distance of a point from the main body [m], arms uncompressed."""
-    cages = [arm.length + arm.cage_radius for arm in airframe.arms]
-    return AMPLE * max(cages + [norm(hull.centre) + hull.radius for hull in airframe.hull])
+    at_ends = [arm.length + norm(h.centre) + h.radius for arm in airframe.arms for h in arm.hull]
+    cages = [arm.length + arm.cage_radius for arm in airframe.arms] + at_ends
+    hulls: list[float] = [norm(hull.centre) + hull.radius for hull in airframe.hull]
+    return AMPLE * max(cages + hulls)
 
 
 def is_clear(model: Model, state: State) -> bool:

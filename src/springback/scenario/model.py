@@ -10,6 +10,7 @@ import numpy as np
 import scipy  # submodules are loaded on first use
 
 from springback.contact.cage import ArmTip, Ring, moving_bodies
+from springback.contact.moving.hulls import with_hulls
 from springback.contact.moving.scene import MovingScene
 from springback.contact.obstacles import (
     Forces,
@@ -206,11 +207,22 @@ def true_airframe(
 # -- the rest -------------------------------------------------------------------------------------
 
 
-def world_numbers(world: WorldSettings, own: Sequence[Own] = ()) -> World:
-    """Obstacles and gravity; ``own`` are the user's own shapes, those that the world names, too."""
+def world_numbers(
+    world: WorldSettings, own: Sequence[Own] = (), *, for_hulls: bool = False
+) -> World:
+    """Obstacles and gravity.
+
+    Args:
+        world: The settings.
+        own: The user's own shapes, those that the world names, too.
+        for_hulls: True if hulls meet them that need a scene (`Vehicle.hulls`).
+    """
     entries = (entry for entry in world.obstacles if not isinstance(entry, UserShape))
     known = [(k, one) for k, entry in enumerate(entries) for one in single_obstacles([entry])]
-    built = obstacles([one for _, one in known], own, numbers=[k for k, _ in known])
+    given, numbers = [one for _, one in known], [k for k, _ in known]
+    built = obstacles(given, own, as_scene=for_hulls, numbers=numbers)
+    if for_hulls:
+        built = with_hulls(built, RING_ROUNDING)
     if isinstance(built, MovingScene):
         return World(flown_scene(built), Forces(0.0), world.gravity)
     impulsive = isinstance(built, SolidScene) or any(
@@ -267,7 +279,7 @@ def flight_model(
     """Model of a flight; ``own`` are the user's own shapes, with their surfaces."""
     s = scenario
     airframe = true_airframe(s.vehicle, s.model_error, s.payload, build)
-    world = world_numbers(s.world, own)
+    world = world_numbers(s.world, own, for_hulls=bool(s.vehicle.hulls))
     thrust = build(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
     point, guide = contact_point_of(s.model), guide_of(s.model)
     timing = timing_of(s.simulation, s.model, s.vehicle)

@@ -12,7 +12,8 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.contact.cage import moving_bodies, per_face
+from springback.contact.cage import moving_bodies
+from springback.contact.hull_contact import arm_flags, hull_flags
 from springback.contact.obstacles import Forces, Impulses, World
 from springback.dynamics.crossing import NO_CROSSING, Crossing
 from springback.dynamics.energy import energy, locked_state
@@ -64,7 +65,7 @@ from springback.simulation.record import (
     record_after_cruise,
 )
 from springback.simulation.thrusts import body_at, model_at, ramped_step
-from springback.vehicle.state import Airframe, Arm, BodyState, Sphere, State
+from springback.vehicle.state import Airframe, Arm, BodyState, State
 
 #: A flight has diverged if the sum of squares of its coordinates and speeds is more than this.
 DIVERGED = 1e12
@@ -217,7 +218,7 @@ def motion_of_body(motion: Motion, x: RigidState) -> Motion:
 
 @kernel
 def _far_arm(arm: Arm, length: float, room: float, obstacles: Any) -> ArmView:
-    none, apart = Vec(0.0, 0.0, 0.0), per_face(obstacles, 0.0)
+    none, apart = Vec(0.0, 0.0, 0.0), arm_flags(arm, obstacles, 0.0)
     pressed = arm.length - length
     return ArmView(
         room, 0.0, 0.0, none, pressed, 0.0, Crossing(NO_CROSSING, 1.0), apart, 0.0, 0.0, 0.0
@@ -225,8 +226,8 @@ def _far_arm(arm: Arm, length: float, room: float, obstacles: Any) -> ArmView:
 
 
 @kernel
-def _far_hull(hull: Sphere, room: float, obstacles: Any) -> HullView:
-    none, apart = Vec(0.0, 0.0, 0.0), per_face(obstacles, 0.0)
+def _far_hull(hull: Any, room: float, obstacles: Any) -> HullView:
+    none, apart = Vec(0.0, 0.0, 0.0), hull_flags(hull, obstacles, 0.0)
     return HullView(room, 0.0, 0.0, none, Crossing(NO_CROSSING, 1.0), apart, 0.0)
 
 

@@ -11,10 +11,11 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 
-from springback.contact.cage import moving_bodies, per_face
+from springback.contact.cage import moving_bodies
+from springback.contact.hull_contact import arm_flags, hull_flags
 from springback.dynamics.crossing import Crossing
 from springback.dynamics.energy import Energy, energy
-from springback.dynamics.motion import ArmView, HullView, Motion, View, Work
+from springback.dynamics.motion import ArmView, Engaged, HullView, Motion, View, Work
 from springback.dynamics.moving_obstacles import BodyWork
 from springback.dynamics.obstacle_views import NO_VIEW
 from springback.errors import InputError
@@ -25,7 +26,7 @@ from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation.executor import TrajectoryLog, advance, has_space
 from springback.simulation.lanes import Shape, buffer_rows, empty_groups, places
-from springback.simulation.record import FLYING, FREE_FLIGHT, IMPACT, Model, Record, blank_record
+from springback.simulation.record import FLYING, FREE_FLIGHT, IMPACT, Model, Record, record_with
 from springback.simulation.thrusts import ARRIVED, ThrustTable
 from springback.vehicle.state import State
 
@@ -91,18 +92,19 @@ def work_of_bodies(bodies: int) -> Work:
 def shape_of(model: Model, state: State) -> Shape:
     """Trees of a flight, whose structure is the layout of its buffers."""
     zero = Vec(0.0, 0.0, 0.0)
-    arms, apart = len(model.airframe.arms), per_face(model.world.obstacles, 0.0)
-    hulls, obstacles = len(model.airframe.hull), len(apart)
-    none = Crossing(0.0, 0.0)
-    arm = ArmView(0.0, 0.0, 0.0, zero, 0.0, 0.0, none, apart, 0.0, 0.0, 0.0)
-    hull = HullView(0.0, 0.0, 0.0, zero, none, apart, 0.0)
-    bodies = len(state.bodies)
-    seen = (arm,) * arms, (hull,) * hulls, 0.0, 0.0, 0.0, 0.0, (NO_VIEW,) * bodies
-    view, record = (
-        View(zero, zero, zero, zero, zero, *seen),
-        blank_record(arms, obstacles, hulls, bodies),
+    none, obstacles, bodies = Crossing(0.0, 0.0), model.world.obstacles, len(state.bodies)
+    apart = Engaged(
+        tuple(arm_flags(arm, obstacles, 0.0) for arm in model.airframe.arms),
+        tuple(hull_flags(hull, obstacles, 0.0) for hull in model.airframe.hull),
+        (0.0,) * bodies,
     )
-    return Shape(model, Motion(state, work_of_bodies(bodies)), view, record)
+    arms = tuple(
+        ArmView(0.0, 0.0, 0.0, zero, 0.0, 0.0, none, flags, 0.0, 0.0, 0.0) for flags in apart.arms
+    )
+    hulls = tuple(HullView(0.0, 0.0, 0.0, zero, none, flags, 0.0) for flags in apart.hull)
+    seen = arms, hulls, 0.0, 0.0, 0.0, 0.0, (NO_VIEW,) * bodies
+    view = View(zero, zero, zero, zero, zero, *seen)
+    return Shape(model, Motion(state, work_of_bodies(bodies)), view, record_with(apart))
 
 
 def still_state(arm_lengths: Sequence[float]) -> State:

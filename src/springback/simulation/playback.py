@@ -7,25 +7,30 @@ two points, has two contacts.
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping
-from itertools import permutations
 from typing import Any, NamedTuple
 
 import numpy as np
+import scipy  # submodules are loaded on first use
 
 from springback.contact.cage import (
     BodyMotion,
     CageContact,
     ContactFace,
     body_motion,
-    contact_faces,
     face_contact,
     moving_bodies,
     obstacles_in_body_frame,
     obstacles_now,
-    per_face,
 )
-from springback.contact.hull_contact import hull_contact, hull_faces
+from springback.contact.hull_contact import (
+    arm_faces,
+    arm_flags,
+    hull_contact,
+    hull_faces,
+    hull_flags,
+)
 from springback.contact.moving.bodies import ABSENT, GIVEN, MovingBody
 from springback.contact.obstacles import World
 from springback.dynamics.energy import Energy, energy
@@ -35,7 +40,7 @@ from springback.kernels.trees import leaves, tree_map
 from springback.kernels.vectors import Vec
 from springback.simulation.flight import model_state, own_types, sources
 from springback.simulation.record import Model
-from springback.vehicle.state import Airframe, Arm, Sphere, State, arm_pose
+from springback.vehicle.state import Airframe, Arm, State, arm_pose
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Places = np.ndarray[Any, np.dtype[np.intp]]
@@ -75,7 +80,7 @@ def _cage_load(face: ContactFace, arm: Any, body: BodyMotion) -> FaceLoad:
 
 
 @kernel
-def _hull_load(face: ContactFace, hull: Sphere, body: BodyMotion) -> FaceLoad:
+def _hull_load(face: ContactFace, hull: Any, body: BodyMotion) -> FaceLoad:
     return _in_world(hull_contact(face, 1.0, hull, body), body)
 
 
@@ -97,12 +102,12 @@ def _arm_loads(
     body: BodyMotion,
 ) -> tuple[FaceLoad, ...]:
     pose = arm_pose(arm, length, rate, body.velocity)
-    faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose, 1.0)
+    faces = arm_faces(arm, obstacles, contact_point, pose, 1.0)
     return tree_map(_cage_load, (faces,), (pose, body))
 
 
 @kernel
-def _hull_loads(hull: Sphere, obstacles: Any, body: BodyMotion) -> tuple[FaceLoad, ...]:
+def _hull_loads(hull: Any, obstacles: Any, body: BodyMotion) -> tuple[FaceLoad, ...]:
     return tree_map(_hull_load, (hull_faces(hull, obstacles, 1.0),), (hull, body))
 
 
@@ -183,27 +188,32 @@ def load_history(model: Model, columns: Mapping[str, Array], places: Places) -> 
         columns: Its trajectory.
         places: Rows of the instants.
     """
-    arms = len(model.airframe.arms)
     states, still = states_at(model, columns, places), model_state(model)
     asked = Instant(model.airframe, model.world, model.contact_point, still)
     constants = np.array(leaves(asked)[: -states.shape[1]])
     instants = np.concatenate(
         [np.broadcast_to(constants, (len(states), len(constants))), states], 1
     )
-    parts, faces = arms + len(model.airframe.hull), len(per_face(model.world.obstacles, 0.0))
-    wide = 10 * parts * faces
+    there = model.world.obstacles
+    counts = [len(arm_flags(arm, there, 0.0)) for arm in model.airframe.arms]
+    counts += [len(hull_flags(hull, there, 0.0)) for hull in model.airframe.hull]
+    wide = 10 * sum(counts)
     out = np.zeros((len(states), wide + len(Energy._fields)))
     own = own_types(asked)
     plain = getattr(_evaluate_all, "py_func", _evaluate_all)
     run = user_executor(plain, sources(own), nogil=True) if own else _evaluate_all
     run(TreeLayout(asked), np.ascontiguousarray(instants), out)
-    each = out[:, :wide].reshape(len(out), parts, faces, 10)
     stored = {name: out[:, wide + k] for k, name in enumerate(Energy._fields)}
-    friction = np.linalg.norm(each[..., 4:7].sum(axis=2), axis=2)
-    contacts = [_contacts(each[:, k]) for k in range(parts)]
+    ends = 10 * np.cumsum([0, *counts])
+    each = [
+        out[:, first:last].reshape(len(out), -1, 10) for first, last in itertools.pairwise(ends)
+    ]
+    rubbed = np.stack([one[..., 4:7].sum(axis=1) for one in each], axis=1)
+    contacts = [_contacts(one) for one in each]
     part = tuple(k for k, one in enumerate(contacts) for _ in range(one.shape[1]))
     found = np.concatenate([np.zeros((len(out), 0, 6)), *contacts], axis=1)
-    normal = each[..., 3].sum(axis=2)
+    normal = np.stack([one[..., 3].sum(axis=1) for one in each], axis=1)
+    friction = np.linalg.norm(rubbed, axis=2)
     return LoadHistory(part, found[..., :3], found[..., 3:], normal, friction, stored)
 
 
@@ -232,11 +242,10 @@ def _keep_places(found: Array) -> None:
     Args:
         found: Of `_contacts`.
     """
-    ways = [list(way) for way in permutations(range(found.shape[1]))]
     last = found[0, :, 3:].copy()
     for row in np.flatnonzero(np.isfinite(found[:, :, 3]).any(axis=1)):
         here = found[row]
-        away = [np.nansum(np.linalg.norm(here[way, 3:] - last, axis=1)) for way in ways]
-        here = here[ways[int(np.argmin(away))]]
+        away = np.linalg.norm(here[None, :, 3:] - last[:, None, :], axis=2)
+        here = here[scipy.optimize.linear_sum_assignment(np.nan_to_num(away))[1]]
         found[row] = here
         last = np.where(np.isfinite(here[:, 3:]), here[:, 3:], last)

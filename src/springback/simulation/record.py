@@ -145,28 +145,24 @@ class Record(NamedTuple):
 def blank_record(
     arm_count: int, obstacle_count: int = 1, hull_count: int = 0, body_count: int = 0
 ) -> Record:
-    """Record of a flight that has not begun."""
-    never, none, hull = -1.0, (0.0,) * arm_count, (0.0,) * hull_count
+    """Record of a flight that has not begun, of parts that all have as many faces."""
     apart = (0.0,) * obstacle_count
-    engaged = Engaged((apart,) * arm_count, (apart,) * hull_count, (0.0,) * body_count)
+    bodies = (0.0,) * body_count
+    return record_with(Engaged((apart,) * arm_count, (apart,) * hull_count, bodies))
+
+
+def record_with(engaged: Engaged) -> Record:
+    """Record of a flight that has not begun; ``engaged`` are its contact flags, all zero."""
+    never, none, hull = -1.0, (0.0,) * len(engaged.arms), (0.0,) * len(engaged.hull)
     peaks = Peaks(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    bodies = (0.0,) * len(engaged.bodies)
+    first_impact = FirstImpact(
+        Vec(0.0, 0.0, 0.0), never, 0.0, 0.0, 0.0, never, 0.0, 0.0, never, 0.0, 0.0, bodies
+    )
     return Record(
         Stepping(0.0, 0.0, FLYING, FREE_FLIGHT, NOTHING, MAY_LOOK, 0.0, 0.0),
         Contacts(0.0, 0.0, engaged, none, hull, 0.0, 0.0, never, 0.0, never, never),
-        FirstImpact(
-            Vec(0.0, 0.0, 0.0),
-            never,
-            0.0,
-            0.0,
-            0.0,
-            never,
-            0.0,
-            0.0,
-            never,
-            0.0,
-            0.0,
-            (0.0,) * body_count,
-        ),
+        first_impact,
         peaks,
         peaks._replace(acceleration_time=never),
         NOTHING_YET,

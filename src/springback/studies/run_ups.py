@@ -10,10 +10,13 @@ import numpy as np
 
 from springback.control.reference_parameters import RunUpSettings
 from springback.errors import InputError
+from springback.kernels.vectors import Vec
 from springback.results.flight import Flight
 from springback.scenario.presets import is_vehicle_file, read_vehicle
 from springback.scenario.scenario import scenario_from
+from springback.vehicle.hulls import hull_reach
 from springback.vehicle.parameters import Vehicle
+from springback.vehicle.state import arm_direction
 
 ROBOTS = ("arq", "quad")
 """Presets of the paper's robots."""
@@ -44,15 +47,17 @@ class StudyVehicle(NamedTuple):
         Args:
             yaw: Of the vehicle [rad].
         """
-        arms, hull = self.vehicle.arms, self.vehicle.hull
+        arms, airframe = self.vehicle.arms, self.vehicle.airframe()
+        ahead = Vec(math.cos(yaw), -math.sin(yaw), 0.0)  # world x in body axes
         points = [
             float(arms.at("length", j)) * math.cos(float(direction) + yaw)
             + float(arms.at("cage_radius", j))
             for j, direction in enumerate(arms.directions)
         ]
-        if hull is not None:
-            x, y, _ = hull.offset
-            points.append(x * math.cos(yaw) - y * math.sin(yaw) + hull.radius)
+        points += [hull_reach(hull, ahead) for hull in airframe.hull]
+        for arm in airframe.arms:
+            along = arm.length * (ahead @ arm_direction(arm))
+            points += [along + hull_reach(hull, ahead) for hull in arm.hull]
         return max(points)
 
 

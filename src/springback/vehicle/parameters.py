@@ -15,6 +15,7 @@ from springback.kernels.tracing import cos, hypot, sqrt, traceable  # for batch 
 from springback.kernels.vectors import Mat3, Vec
 from springback.quantities import Mass, PerArm, Triple, Unit, si_number
 from springback.settings import Name, Settings, naming, problem
+from springback.vehicle.hulls import HullSettings, SphereHull, compound_hull, no_hull
 from springback.vehicle.rotors import Propulsion
 from springback.vehicle.state import Airframe, Arm, Sphere, build_airframe
 
@@ -232,6 +233,8 @@ class Vehicle(Settings):
     body: Body
     hull: Annotated[Hull | None, BeforeValidator(_hull)] = None
     """Without one, or with false in place of a preset's, the main body has no contact."""
+    hulls: tuple[HullSettings, ...] = ()
+    """More hulls, on the main body or on arms, besides ``hull`` and the cages."""
     arms: Arms
     propulsion: Propulsion | None = None
     """Rotors and battery; without it, thrusts are given from outside and have no bounds."""
@@ -248,6 +251,47 @@ class Vehicle(Settings):
                     "hull.offset",
                 )
         return self
+
+    @model_validator(mode="after")
+    def _hulls_are_near(self) -> Vehicle:
+        longest = max(self.arms.at("length", j) for j in range(self.arm_count))
+        reach = longest + max(self.arms.at("cage_radius", j) for j in range(self.arm_count))
+        for k, one in enumerate(self.hulls):
+            if one.on != "body" and int(one.on) > self.arm_count:
+                raise problem(
+                    f"must be body, or an arm from 1 to {self.arm_count} (got {one.on})",
+                    f"hulls[{k}].on",
+                )
+            form = one.form()
+            away = hypot(*form.middle())
+            if away > reach:
+                raise problem(
+                    f"must be within {reach:g} m, the reach of the longest arm with its cage, of "
+                    f"what it is fixed to (its middle is {away:.6g} m away)",
+                    f"hulls[{k}]",
+                )
+        for part in ("body", *range(1, self.arm_count + 1)):
+            self._hull_of(part)
+        return self
+
+    def hulls_on(self, part: str | int) -> tuple[HullSettings, ...]:
+        """Those of ``hulls`` that are on the main body, "body", or on an arm, from 1."""
+        return tuple(one for one in self.hulls if one.on == part)
+
+    def _hull_of(self, part: str | int) -> tuple[Any, ...]:
+        """Hull of the main body, "body", or of an arm, from 1, as numbers; empty without one."""
+        given, found = self.hull if part == "body" else None, self.hulls_on(part)
+        if not found:
+            return () if given is None else (Sphere(Vec(*given.offset), given.radius),)
+        if given is not None:
+            ball = SphereHull(type="sphere", position=given.offset, radius=given.radius)
+            found = (ball, *found)
+        return (compound_hull(found),)
+
+    @property
+    def has_body_hull(self) -> bool:
+        """True if the main body can touch anything."""
+        return self.hull is not None or bool(self.hulls_on("body"))
 
     @property
     def arm_count(self) -> int:
@@ -316,12 +360,13 @@ class Vehicle(Settings):
                     compliance=1.0 if slides else 0.0,
                     cage_radius=arms.at("cage_radius", j),
                     torque_ratio=spin * arms.at("torque_ratio", j),
+                    hull=self._hull_of(j + 1),
                 )
             )
-        i, given = self.body.inertia, self.hull
-        hull = () if given is None else (Sphere(Vec(*given.offset), given.radius),)
-        inertia = Mat3(*(Vec(*row) for row in i))
-        return build_airframe(self.mass, inertia, tuple(built), hull)
+        if any(arm.hull for arm in built):  # arms of one structure: those without hulls get none
+            built = [arm if arm.hull else arm._replace(hull=(no_hull(),)) for arm in built]
+        inertia = Mat3(*(Vec(*row) for row in self.body.inertia))
+        return build_airframe(self.mass, inertia, tuple(built), self._hull_of("body"))
 
     def lengths(self) -> tuple[float, ...]:
         """Free arm lengths [m]."""

@@ -6,11 +6,30 @@ is the centre of mass of the main body, not of the whole vehicle.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import maximum, tree_map
-from springback.kernels.vectors import Mat3, Quat, Vec, norm
+from springback.kernels.trees import fold, maximum, tree_map
+from springback.kernels.vectors import Mat3, Quat, Vec, larger, norm
+
+
+class Sphere(NamedTuple):
+    """Hull of the main body: a sphere that is fixed to it and has no mass of its own."""
+
+    centre: Vec  # from the main body, body axes [m]
+    radius: float  # [m]
+
+
+class CompoundHull(NamedTuple):
+    """All hulls that are fixed to the main body, or to one arm, as one part; without mass.
+
+    Their numbers are in a table (`springback.vehicle.hulls`), so that any number of them, of any
+    kinds, is one structure to the compiler.
+    """
+
+    table: float  # address of their numbers
+    centre: Vec  # of a sphere around all, from the main body or the arm's end, body axes [m]
+    radius: float  # of that sphere [m]
 
 
 class Arm(NamedTuple):
@@ -33,13 +52,7 @@ class Arm(NamedTuple):
     compliance: float  # 1 slides, 0 is locked
     cage_radius: float  # r_0 [m]
     torque_ratio: float  # rotor torque about body z per thrust, with its sign [m]
-
-
-class Sphere(NamedTuple):
-    """Hull of the main body: a sphere that is fixed to it and has no mass of its own."""
-
-    centre: Vec  # from the main body, body axes [m]
-    radius: float  # [m]
+    hull: tuple[CompoundHull, ...] = ()  # at its end, besides the cage
 
 
 class PlanarInverse(NamedTuple):
@@ -61,7 +74,7 @@ class Airframe(NamedTuple):
     inverse_mass: float  # 1/m [1/kg]
     inertia: Mat3  # of the main body alone, about its centre of mass, body axes [kg m²]
     arms: tuple[Arm, ...]
-    hull: tuple[Sphere, ...]  # of the main body; empty: it has no contact
+    hull: tuple[Any, ...]  # `Sphere` or `CompoundHull` of the main body; empty: no contact
     sliding: Vec  # Σ m_j (e_x², e_y², e_x e_y) of the arms that can slide [kg]
     released: PlanarInverse  # while they can
     locked: PlanarInverse  # while all arms are locked
@@ -74,7 +87,7 @@ def _planar_inverse(mass: float, sliding: Vec) -> PlanarInverse:
 
 
 def build_airframe(
-    mass: float, inertia: Mat3, arms: tuple[Arm, ...], hull: tuple[Sphere, ...] = ()
+    mass: float, inertia: Mat3, arms: tuple[Arm, ...], hull: tuple[Any, ...] = ()
 ) -> Airframe:
     """Constants of a vehicle, with those that follow from others.
 
@@ -82,7 +95,7 @@ def build_airframe(
         mass: m, everything [kg].
         inertia: Of the main body alone, about its centre of mass, body axes [kg m²].
         arms: At least one.
-        hull: Of the main body; empty: it has no contact.
+        hull: Of the main body, a `Sphere` or a `CompoundHull`; empty: it has no contact.
     """
     none = sliding = Vec(0.0, 0.0, 0.0)
     for arm in arms:
@@ -93,13 +106,19 @@ def build_airframe(
 
 
 @kernel
-def _farthest(arm: Arm) -> float:
-    return arm.length + arm.cage_radius
+def _farthest_of_hull(hull: Any) -> float:
+    farthest: float = norm(hull.centre) + hull.radius
+    return farthest
 
 
 @kernel
-def _farthest_of_hull(hull: Sphere) -> float:
-    return norm(hull.centre) + hull.radius
+def _farther(so_far: float, hull: Any) -> float:
+    return larger(_farthest_of_hull(hull), so_far)
+
+
+@kernel
+def _farthest(arm: Arm) -> float:
+    return arm.length + fold(_farther, arm.cage_radius, arm.hull, ())
 
 
 @kernel

@@ -103,13 +103,15 @@ class WorldSearch(NamedTuple):
 
 
 @kernel
-def _at_rest() -> FaceMotion:
+def at_rest() -> FaceMotion:
+    """No motion."""
     none = Vec(0.0, 0.0, 0.0)
     return FaceMotion(none, none, AT_REST)
 
 
 @kernel
-def _moved(face: ContactFace, motion: FaceMotion) -> ContactFace:
+def with_motion(face: ContactFace, motion: FaceMotion) -> ContactFace:
+    """A face of an obstacle with its motion."""
     return ContactFace(face.nearest, face.surface, face.is_ground, (motion,))
 
 
@@ -129,17 +131,19 @@ def _inserted(found: ThreeFaces, new: ContactFace) -> ThreeFaces:
 @kernel
 def no_moving_faces() -> ThreeFaces:
     """No face within reach, in a world in which obstacles move."""
-    none, rest = no_faces(), _at_rest()
-    return ThreeFaces(_moved(none.first, rest), _moved(none.second, rest), _moved(none.third, rest))
+    none, rest = no_faces(), at_rest()
+    return ThreeFaces(
+        with_motion(none.first, rest), with_motion(none.second, rest), with_motion(none.third, rest)
+    )
 
 
 @kernel
 def faces_of_body(s: BodySearch) -> ThreeFaces:
     """The faces found so far, and those of one more obstacle that are nearer."""
     there = scene_faces(s.part)
-    found = _inserted(s.found, _moved(there.first, s.motion))
-    found = _inserted(found, _moved(there.second, s.motion))
-    return _inserted(found, _moved(there.third, s.motion))
+    found = _inserted(s.found, with_motion(there.first, s.motion))
+    found = _inserted(found, with_motion(there.second, s.motion))
+    return _inserted(found, with_motion(there.third, s.motion))
 
 
 @kernel
@@ -161,19 +165,19 @@ def _with_body(found: ThreeFaces, one: BodyInBodyFrame, s: WorldSearch) -> Three
 def faces_of_all(s: WorldSearch) -> ThreeFaces:
     """The faces nearest to a part of a vehicle, of obstacles at rest and of those that move."""
     none = no_moving_faces()
-    found = call_routine(s.one, BodySearch(s.part, _at_rest(), none), none)
+    found = call_routine(s.one, BodySearch(s.part, at_rest(), none), none)
     return fold(_with_body, found, s.bodies, (s,))
 
 
 #: `faces_of_body`, compiled once for all vehicles and worlds.
-BODY_FACES = Routine(faces_of_body, BodySearch(blank_part(), _at_rest(), no_moving_faces()))
+BODY_FACES = Routine(faces_of_body, BodySearch(blank_part(), at_rest(), no_moving_faces()))
 
 
 @functools.cache
 def search_among(bodies: int) -> Routine:
     """`faces_of_all` for a number of moving obstacles, compiled once for all flights."""
     none = Vec(0.0, 0.0, 0.0)
-    one = BodyInBodyFrame(0.0, 0.0, 0.0, none, Mat3(none, none, none), _at_rest())
+    one = BodyInBodyFrame(0.0, 0.0, 0.0, none, Mat3(none, none, none), at_rest())
     return Routine(faces_of_all, WorldSearch(blank_part(), (one,) * bodies, 0.0))
 
 
@@ -215,7 +219,9 @@ def _body_in_body_frame(body: MovingBody, pose: BodyPose, position: Vec, r: Mat3
 def _placed_in_body_frame(scene: PlacedScene, position: Vec, r: Mat3) -> MovingInBodyFrame:
     still = scene.still
     own = tree_map(obstacle_in_body_frame, (still.own,), (position, r))
-    rest = SceneInBodyFrame(still.table, still.query, (), position, r, still.exact)
+    rest = SceneInBodyFrame(
+        still.table, still.query, (), position, r, still.exact, still.hull_query, still.rounding
+    )
     bodies = tree_map(_body_in_body_frame, (scene.bodies, scene.poses), (position, r))
     return MovingInBodyFrame(rest, bodies, own, scene.search, scene.one)
 
@@ -231,7 +237,7 @@ def _all_faces(
 
 @kernel
 def _own_face(obstacle: Obstacle, contact_point: Any, radius: float, arm: ArmPose) -> ContactFace:
-    return _moved(face_of(obstacle, contact_point, radius, arm), _at_rest())
+    return with_motion(face_of(obstacle, contact_point, radius, arm), at_rest())
 
 
 @contact_faces.register(MovingInBodyFrame)

@@ -84,7 +84,6 @@ ON_SURFACE = 1e-9
 
 #: Numbers of a surface.
 SURFACE_WIDTH = 8
-
 #: Kinds of parts, by number.
 RING, TIP, SPHERE = 0.0, 1.0, 2.0
 
@@ -96,6 +95,8 @@ class SolidScene(NamedTuple):
     query: float  # address of `scene_faces`
     own: tuple[Obstacle, ...]
     exact: float  # 0: gaps above `EXACT_BELOW` may be lower bounds, 1: they are exact
+    hull_query: float = 0.0  # of `springback.contact.hulls.compound.scene_hull_faces`
+    rounding: float = 0.0  # of rings that are hulls [rad]
 
 
 class SceneInBodyFrame(NamedTuple):
@@ -107,6 +108,8 @@ class SceneInBodyFrame(NamedTuple):
     position: Vec  # of the body, world [m]
     r: Mat3  # body axes to world axes
     exact: float
+    hull_query: float
+    rounding: float
 
 
 class VehiclePart(NamedTuple):
@@ -134,7 +137,8 @@ class ThreeFaces(NamedTuple):
 
 
 @kernel
-def _surface_at(table: float, row: int) -> Surface:
+def surface_at(table: float, row: int) -> Surface:
+    """Surface of the solid whose numbers begin at a position of a table."""
     k = int(number_at(table, SURFACES))
     k += SURFACE_WIDTH * int(number_at(table, row + SURFACE))
     return Surface(
@@ -145,11 +149,10 @@ def _surface_at(table: float, row: int) -> Surface:
 
 
 @kernel
-def _no_face() -> ContactFace:
+def no_face() -> ContactFace:
+    """A face out of reach."""
     none = Vec(0.0, 0.0, 0.0)
-    surface = Surface(
-        0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, AnyTangent(0.0), 1.0, -1.0
-    )  # fmt: skip
+    surface = Surface(0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, AnyTangent(0.0), 1.0, -1.0)
     nearest = simple_face(FAR, Vec(0.0, 0.0, 1.0), Support(none, none, none, 0.0))
     return ContactFace(nearest, surface, 0.0, ())
 
@@ -157,7 +160,7 @@ def _no_face() -> ContactFace:
 @kernel
 def no_faces() -> ThreeFaces:
     """No face within reach."""
-    return ThreeFaces(_no_face(), _no_face(), _no_face())
+    return ThreeFaces(no_face(), no_face(), no_face())
 
 
 @kernel
@@ -166,7 +169,7 @@ def _with_face(found: ThreeFaces, table: float, row: int, nearest: NearestFace) 
     gap = nearest.gap
     if gap >= found.third.nearest.gap:
         return found
-    new = ContactFace(nearest, _surface_at(table, row), number_at(table, row + GROUND), ())
+    new = ContactFace(nearest, surface_at(table, row), number_at(table, row + GROUND), ())
     if gap < found.first.nearest.gap:
         return ThreeFaces(new, found.first, found.second)
     if gap < found.second.nearest.gap:
@@ -229,7 +232,7 @@ def _ring_on_box(part: VehiclePart, row: int, centre: Vec) -> NearestFace:
         if over_y & over_z & (u.x >= u.y) & (u.x >= u.z):
             n = ex if q.x > 0.0 else -ex
             return _on_face(part, row, n, half.x + edge)
-    return _no_face().nearest
+    return no_face().nearest
 
 
 @kernel
@@ -337,7 +340,7 @@ def _with_tip(found: ThreeFaces, part: VehiclePart, near: NearestSolids, centre:
 
 
 @kernel
-def _is_exposed(near: NearestSolids, row: int, point: Vec) -> bool:
+def is_exposed(near: NearestSolids, row: int, point: Vec) -> bool:
     """True if a point on the surface of a solid is inside no other one."""
     exposed = True
     for k in range(near.number):
@@ -366,7 +369,7 @@ def _with_sphere(
         apart = point - touched
         nearer = second_row < 0 or there.gap < second.gap
         is_apart = row != nearest and apart @ apart > APART * APART
-        if nearer and is_apart and _is_exposed(near, row, point):
+        if nearer and is_apart and is_exposed(near, row, point):
             second, second_row = there, row
     if second_row >= 0:
         in_body = Face(second.gap, second.normal @ part.r)
@@ -461,7 +464,8 @@ def _found_faces(
 @kernel
 def _scene_in_body_frame(scene: SolidScene, position: Vec, r: Mat3) -> SceneInBodyFrame:
     own = tree_map(obstacle_in_body_frame, (scene.own,), (position, r))
-    return SceneInBodyFrame(scene.table, scene.query, own, position, r, scene.exact)
+    exact, hulls, rounding = scene.exact, scene.hull_query, scene.rounding
+    return SceneInBodyFrame(scene.table, scene.query, own, position, r, exact, hulls, rounding)
 
 
 @contact_faces.register(SceneInBodyFrame)

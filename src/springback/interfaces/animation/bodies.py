@@ -8,8 +8,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from scipy.sparse import coo_matrix
 from scipy.sparse.csgraph import connected_components
+from scipy.spatial import ConvexHull
 
 from springback.interfaces.replay.geometry import Drawable
+from springback.interfaces.replay.hull_meshes import HullMesh
 from springback.interfaces.replay.scene import ArmShape, HullShape, Scene
 from springback.interfaces.replay.tracks import BodyTrack, turned_by
 
@@ -199,10 +201,36 @@ def body_outline(now: SceneInstant) -> tuple[Array, Array]:
     return rim + lift, rim - lift
 
 
-def sphere_outline(hull: HullShape, now: SceneInstant, view: ViewPlane) -> Array:
-    """Outline of the hull in the plane of a view, shape (points, 2)."""
+def hull_outline(hull: HullShape, now: SceneInstant, view: ViewPlane) -> Array:
+    """Outlines of the main body's hulls in the plane of a view, shape (points, 2).
+
+    Rows of NaN part them.
+    """
+    if hull.meshes:
+        return outlines_of(hull.meshes, now.position, now, view)
     centre = view(now.position + now.rotation @ np.array(hull.centre))
     return centre + hull.radius * np.stack([np.cos(CIRCLE), np.sin(CIRCLE)], axis=1)
+
+
+def outlines_of(
+    meshes: Sequence[HullMesh], origin: Array, now: SceneInstant, view: ViewPlane
+) -> Array:
+    """Outlines of hulls in the plane of a view, with a row of NaN behind each, shape (points, 2).
+
+    A ring is outlined as the plate that it is around.
+
+    Args:
+        meshes: Of the hulls.
+        origin: What they are fixed to, world [m].
+        now: The instant.
+        view: The plane.
+    """
+    found = [np.zeros((0, 2))]
+    for mesh in meshes:
+        flat = view(origin + mesh.vertices @ now.rotation.T)
+        loop = ConvexHull(flat).vertices
+        found += [flat[[*loop, loop[0]]], np.full((1, 2), np.nan)]
+    return np.vstack(found)
 
 
 # -- obstacles ------------------------------------------------------------------------------------

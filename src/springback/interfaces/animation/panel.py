@@ -24,11 +24,12 @@ from springback.interfaces.animation.bodies import (
     body_outline,
     ends,
     half_plane,
+    hull_outline,
+    outlines_of,
     plane_section,
     ring,
     section_outlines,
     silhouette,
-    sphere_outline,
 )
 from springback.interfaces.output.robots import GREEN, GREY, INK, ORANGE
 from springback.interfaces.replay.geometry import Drawable
@@ -82,6 +83,7 @@ class ScenePanel:
         bar: dict[str, Any] = {"color": GREEN, "lw": 2.6 * unit, "solid_capstyle": "butt"}
         self.thrusts = [self._line(**bar) for _ in arms]
         self.hull = [self._line(color=INK, lw=0.9 * unit, alpha=0.6) for _ in scene.hull]
+        self.at_ends = [self._line(color=INK, lw=0.9 * unit, alpha=0.6) for _ in arms]
         self.mast = self._line(color=INK, lw=1.4 * unit)
         self.body = Polygon(np.zeros((3, 2)), fc=colour, ec=INK, lw=0.8 * unit)
         self._moves(ax.add_patch(self.body))
@@ -189,7 +191,10 @@ class ScenePanel:
             bar = THRUST_BAR * now.thrust[j] / max(scene.max_thrust, 1e-9) * now.rotation[:, 2]
             self.thrusts[j].set_data(*view(np.array([tips[j], tips[j] + bar])).T)
         for line, shape in zip(self.hull, scene.hull, strict=True):
-            line.set_data(*sphere_outline(shape, now, view).T)
+            line.set_data(*hull_outline(shape, now, view).T)
+        at = ends(scene.arms, now)
+        for line, arm, origin in zip(self.at_ends, scene.arms, at, strict=True):
+            line.set_data(*outlines_of(arm.hulls, origin, now, view).T)
         mast = np.array([now.position, now.position + MAST * now.rotation[:, 2]])
         self.mast.set_data(*view(mast).T)
         rims = view(np.vstack(body_outline(now)))

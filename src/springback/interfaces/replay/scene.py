@@ -27,6 +27,7 @@ from springback.dynamics.motion import Slider
 from springback.errors import InputError
 from springback.interfaces.output.robots import robot_label
 from springback.interfaces.replay.geometry import Drawable, drawables
+from springback.interfaces.replay.hull_meshes import HullMesh, hull_meshes, mesh_of_hull
 from springback.interfaces.replay.instants import departure, drawn_instants
 from springback.interfaces.replay.tracks import BodyTrack, body_tracks
 from springback.results.events import Event, impacts_of, parts_of
@@ -36,6 +37,8 @@ from springback.scenario.tables import UserShape
 from springback.scenario.worlds.imported import single_obstacles
 from springback.simulation.playback import LoadHistory, load_history
 from springback.simulation.record import Model
+from springback.vehicle.hulls import SphereHull
+from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import Airframe
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -55,13 +58,15 @@ class ArmShape(NamedTuple):
     cage_radius: float  # [m]; the circle lies in the plane of the arms
     compliant: bool
     spin: int  # sign of the torque about body z
+    hulls: tuple[HullMesh, ...] = ()  # from its end
 
 
 class HullShape(NamedTuple):
-    """Contact sphere of the main body."""
+    """What the main body touches with: a sphere, or hulls of other kinds."""
 
     centre: tuple[float, float, float]  # from the main body, body axes [m]
-    radius: float  # [m]
+    radius: float  # [m]; that of a sphere around all
+    meshes: tuple[HullMesh, ...] = ()  # of each hull; empty for a sphere alone
 
 
 class Series(NamedTuple):
@@ -161,8 +166,8 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
         outcome=flight.outcome.word,
         sentence=flight.message,
         success=flight.success,
-        arms=arm_shapes(model.airframe),
-        hull=tuple(HullShape((*one.centre,), one.radius) for one in model.airframe.hull),
+        arms=arm_shapes(model.airframe, flight.scenario.vehicle),
+        hull=hull_shapes(model.airframe, flight.scenario.vehicle),
         max_thrust=propulsion.max_thrust if propulsion else float(thrust.max(initial=1.0)),
         guide=tuple(model.guide.axis) if isinstance(model.guide, Slider) else (),
         obstacles=things.drawables,
@@ -185,7 +190,16 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
     )
 
 
-def arm_shapes(airframe: Airframe) -> tuple[ArmShape, ...]:
+def hull_shapes(airframe: Airframe, vehicle: Vehicle) -> tuple[HullShape, ...]:
+    """Shape of the main body's hull, if it has one."""
+    meshes = hull_meshes(vehicle, "body")
+    if meshes and vehicle.hull is not None:
+        ball = SphereHull(type="sphere", position=vehicle.hull.offset, radius=vehicle.hull.radius)
+        meshes = (mesh_of_hull(ball.form()), *meshes)
+    return tuple(HullShape((*one.centre,), one.radius, meshes) for one in airframe.hull)
+
+
+def arm_shapes(airframe: Airframe, vehicle: Vehicle) -> tuple[ArmShape, ...]:
     """Shapes of the arms of an airframe."""
     return tuple(
         ArmShape(
@@ -195,8 +209,9 @@ def arm_shapes(airframe: Airframe) -> tuple[ArmShape, ...]:
             cage_radius=arm.cage_radius,
             compliant=arm.compliance > 0.0,
             spin=1 if arm.torque_ratio > 0.0 else -1,
+            hulls=hull_meshes(vehicle, j),
         )
-        for arm in airframe.arms
+        for j, arm in enumerate(airframe.arms, start=1)
     )
 
 

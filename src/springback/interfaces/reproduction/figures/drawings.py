@@ -38,7 +38,7 @@ def robots_figure() -> Figure:
     figure = StyledFigure(figsize=(WIDTH, 2.95))
     axes = figure.subplots(1, 2, sharex=True, sharey=True)
     for ax, (robot, look) in zip(axes, ROBOTS.items(), strict=True):
-        arms = arm_shapes(VEHICLES[robot].vehicle.airframe())
+        arms = arm_shapes(VEHICLES[robot].vehicle.airframe(), VEHICLES[robot].vehicle)
         kind = "springs in its arms" if arms[0].compliant else "rigid arms"
         chart = Chart(ax, "forward x [m]", "left y [m]", f"{look.label}: {kind}")
         lengths = np.array([arm.length for arm in arms])

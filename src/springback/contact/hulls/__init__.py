@@ -1,0 +1,1 @@
+"""Hulls of a vehicle against all solids of a scene."""

@@ -1,0 +1,316 @@
+"""Lowest points of straight edges and flat faces of a hull above a shape, by its distance alone.
+
+Along an edge the slope of the distance is the component of the outward normal; its zero is found as
+a bracketed root, as along a ring (`springback.contact.rings`).  On a face the lowest point of each
+chord is found so, and then the lowest of all chords.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+from springback.contact.hulls.chords import Chord, chord_at
+from springback.contact.obstacles import outward_normal, signed_distance
+from springback.contact.rings import CLOSE, FAR, TRIES, TRUNCATION
+from springback.contact.scene.solids import Face
+from springback.kernels.compiler import generic, kernel, rare_kernel
+from springback.kernels.routines import number_at
+from springback.kernels.vectors import Vec, within
+from springback.vehicle.hulls import FACE
+
+#: Slopes closer to zero count as level: those of an edge that lies flat are rounding (chosen).
+LEVEL = 1e-9
+#: Parts of an edge in which a lowest point is looked for above a shape that is not convex, and
+#: points between two places at which a way that leaves the shape is looked for (chosen).
+PIECES, WAYPOINTS = 16, 8
+#: Chords of a face, and points on each, above a shape that is not convex (chosen).
+GRID = 12
+#: Steps of the grid within which there is one lowest point (chosen).
+BASIN = 2.0
+#: Times that the lowest of these points is looked for again on a grid half as wide (chosen).
+ZOOMS = 5
+#: Chords begin and end this share of a face's width inside it: at a corner they have no length.
+INSIDE = 1e-9
+
+
+@generic
+def near_face(shape: Any, point: Vec) -> Face:
+    """Distance of a point from a shape, and the outward normal there."""
+    return Face(signed_distance(shape, point), outward_normal(shape, point))
+
+
+class EdgePoint(NamedTuple):
+    """A point of an edge or a face, and its distance from a shape.
+
+    Beneath an outward edge of the shape the distance has a kink: the normal is then a mean of those
+    of both faces, shorter than 1, as at a `springback.contact.rings.LowPoint`.
+    """
+
+    point: Vec  # [m]
+    gap: float  # [m]
+    normal: Vec
+
+
+@kernel
+def no_point(point: Vec) -> EdgePoint:
+    """No lowest point inside an edge."""
+    return EdgePoint(point, FAR, Vec(0.0, 0.0, 1.0))
+
+
+class Bracket(NamedTuple):
+    """Where a slope turns from falling to rising: shares of a way, and slopes there."""
+
+    low: float
+    high: float
+    falls: float  # < 0
+    rises: float  # ≥ 0
+    allowed: float
+
+
+@kernel
+def narrower(b: Bracket, share: float, slope: float) -> Bracket:
+    """A bracket after one more slope is known."""
+    if slope < 0.0:
+        return Bracket(share, b.high, slope, b.rises, 0.5 * b.allowed)
+    return Bracket(b.low, share, b.falls, slope, 0.5 * b.allowed)
+
+
+@kernel
+def next_share(b: Bracket) -> float:
+    """Where to look next, by the method of Oliveira and Takahashi; see `rings`."""
+    width, middle = b.high - b.low, 0.5 * (b.low + b.high)
+    secant = (b.rises * b.low - b.falls * b.high) / (b.rises - b.falls)
+    inward = TRUNCATION * width * width
+    aside = middle - secant
+    tried = secant + math.copysign(inward, aside) if inward <= abs(aside) else middle
+    room = max(b.allowed - 0.5 * width, 0.0)
+    return min(max(tried, middle - room), middle + room)
+
+
+@rare_kernel
+def turning_point(shape: Any, a: Vec, b: Vec, falls: float, rises: float) -> EdgePoint:
+    """Point between two at which the distance from a shape turns from falling to rising.
+
+    Args:
+        shape: In the axes of the points.
+        a: The first point ...
+        b: ... and the second [m].
+        falls: Slope at the first, times the length between them, below zero [m].
+        rises: Slope at the second, likewise, not below zero [m].
+    """
+    along = b - a
+    bracket = Bracket(0.0, 1.0, falls, rises, 1.0)
+    for _ in range(TRIES):
+        if bracket.high - bracket.low <= CLOSE:
+            break
+        share = next_share(bracket)
+        slope = near_face(shape, a + share * along).normal @ along
+        bracket = narrower(bracket, share, slope)
+    total = bracket.rises - bracket.falls
+    before, after = bracket.rises / total, -bracket.falls / total
+    at = a + (bracket.low * before + bracket.high * after) * along
+    n_low = near_face(shape, a + bracket.low * along).normal
+    n_high = near_face(shape, a + bracket.high * along).normal
+    return EdgePoint(at, near_face(shape, at).gap, before * n_low + after * n_high)
+
+
+class EdgePoints(NamedTuple):
+    """The two lowest points inside an edge; a gap of `FAR` where there is none."""
+
+    first: EdgePoint
+    second: EdgePoint
+
+
+@rare_kernel
+def lowest_inside(shape: Any, a: Vec, b: Vec, n_a: Vec, n_b: Vec, is_convex: bool) -> EdgePoints:
+    """Lowest points of an edge above a shape, without its ends.
+
+    Args:
+        shape: In the axes of the points.
+        a: One end ...
+        b: ... and the other [m].
+        n_a: Outward normal at the first ...
+        n_b: ... and at the second.
+        is_convex: True if the distance has one lowest point at most.
+    """
+    along = b - a
+    level = LEVEL * math.sqrt(along @ along)
+    first = second = no_point(a)
+    if is_convex:
+        falls, rises = n_a @ along, n_b @ along
+        if (falls < -level) & (rises > level):
+            first = turning_point(shape, a, b, falls, rises)
+        return EdgePoints(first, second)
+    here, falls = a, n_a @ along
+    for k in range(PIECES):
+        there = a + ((k + 1.0) / PIECES) * along
+        rises = near_face(shape, there).normal @ along
+        if (falls < -level) & (rises > level):
+            found = turning_point(shape, here, there, falls, rises)
+            if found.gap < first.gap:
+                first, second = found, first
+            elif found.gap < second.gap:
+                second = found
+        # A level piece belongs to the slope before it.
+        if (rises < -level) | (rises > level):
+            here, falls = there, rises
+    return EdgePoints(first, second)
+
+
+@rare_kernel
+def is_parted(shape: Any, a: Vec, b: Vec) -> bool:
+    """True if the straight way between two points leaves a shape."""
+    outside = False
+    for k in range(WAYPOINTS):
+        share = (k + 1.0) / (WAYPOINTS + 1.0)
+        if near_face(shape, a + share * (b - a)).gap >= 0.0:
+            outside = True
+    return outside
+
+
+# -- faces ----------------------------------------------------------------------------------------
+
+
+class FlatFace(NamedTuple):
+    """A flat face of a hull: axes along it and its middle, in the axes of the hull's points."""
+
+    table: float
+    row: int  # position of its numbers
+    x: Vec
+    y: Vec
+    middle: Vec
+
+
+class Strip(NamedTuple):
+    """Part of a face between two lines along its first axis: places along its second [m]."""
+
+    low: float
+    high: float
+
+
+@rare_kernel
+def _along_chord(shape: Any, face: FlatFace, s: float, strip: Strip) -> EdgePoint:
+    """Lowest point of a chord of a face above a shape, `FAR` if the chord is none.
+
+    The normal's component along the chord is zero inside it.  At its end it is that along the
+    boundary: the slope of the lowest distance from chord to chord is then n · x.
+
+    Args:
+        shape: In the axes of the hull's points.
+        face: The face.
+        s: Place of the chord, along the face's first axis from its middle [m].
+        strip: The part of the face.
+    """
+    chord = chord_at(face.table, face.row, s)
+    if chord.low < strip.low:
+        chord = Chord(strip.low, chord.high, 0.0, chord.high_slope, chord.first, chord.last)
+    if chord.high > strip.high:
+        chord = Chord(chord.low, strip.high, chord.low_slope, 0.0, chord.first, chord.last)
+    a = face.middle + s * face.x + chord.low * face.y
+    b = face.middle + s * face.x + chord.high * face.y
+    along = b - a
+    at_a, at_b = near_face(shape, a), near_face(shape, b)
+    falls, rises = at_a.normal @ along, at_b.normal @ along
+    if (falls < 0.0) & (rises >= 0.0):
+        return turning_point(shape, a, b, falls, rises)
+    if falls >= 0.0:
+        slope = at_a.normal @ face.y
+        return EdgePoint(a, at_a.gap, at_a.normal + (chord.low_slope * slope) * face.x)
+    slope = at_b.normal @ face.y
+    return EdgePoint(b, at_b.gap, at_b.normal + (chord.high_slope * slope) * face.x)
+
+
+class Patch(NamedTuple):
+    """Part of a face around a point: place, and half its extent, along the face's axes [m]."""
+
+    s: float
+    t: float
+    wide: float
+    high: float
+    gap: float  # there
+
+
+@kernel
+def _lower(shape: Any, face: FlatFace, patch: Patch, s: float, t: float) -> Patch:
+    """The patch around another point, if that is lower."""
+    gap = near_face(shape, face.middle + s * face.x + t * face.y).gap
+    return Patch(s, t, patch.wide, patch.high, gap) if gap < patch.gap else patch
+
+
+@rare_kernel
+def _lowest_patch(shape: Any, face: FlatFace, first: float, last: float, known: EdgePoint) -> Patch:
+    """Small part of a face around its lowest point above a shape: the lowest of some points.
+
+    A grid over the face is followed by finer ones, each around the lowest point so far.  Points
+    near one that is known do not count.
+    """
+    wide, best = (last - first) / GRID, Patch(0.0, 0.0, 0.0, 0.0, FAR)
+    away = known.point - face.middle
+    known_s, known_t = away @ face.x, away @ face.y
+    for i in range(GRID):
+        s = first + (i + 0.5) * wide
+        chord = chord_at(face.table, face.row, s)
+        high = (chord.high - chord.low) / GRID
+        for k in range(GRID):
+            t = chord.low + (k + 0.5) * high
+            far = (abs(s - known_s) > BASIN * wide) | (abs(t - known_t) > BASIN * high)
+            if far or known.gap == FAR:
+                found = _lower(shape, face, best, s, t)
+                if found.gap < best.gap:
+                    best = Patch(found.s, found.t, wide, high, found.gap)
+    for _ in range(ZOOMS):
+        around = best
+        for i in range(-2, 3):
+            s = within(around.s + 0.5 * i * around.wide, first, last)
+            chord = chord_at(face.table, face.row, s)
+            for k in range(-2, 3):
+                t = within(around.t + 0.5 * k * around.high, chord.low, chord.high)
+                best = _lower(shape, face, best, s, t)
+        best = Patch(best.s, best.t, 0.5 * best.wide, 0.5 * best.high, best.gap)
+    return Patch(best.s, best.t, 2.0 * best.wide, 2.0 * best.high, best.gap)
+
+
+@rare_kernel
+def lowest_on_face(shape: Any, face: FlatFace, is_convex: bool, known: EdgePoint) -> EdgePoint:
+    """Lowest point inside a face above a shape; `FAR` if there is none.
+
+    Args:
+        shape: In the axes of the hull's points.
+        face: Whose lowest point is not on its boundary.
+        is_convex: As for `lowest_inside`; else the lowest of some points tells where to look.
+        known: A lowest point that is known, where another one is looked for; else `no_point`.
+    """
+    whole = chord_at(face.table, face.row, 0.0)
+    inside = INSIDE * (whole.last - whole.first)
+    first, last, strip = whole.first + inside, whole.last - inside, Strip(-FAR, FAR)
+    if not is_convex:
+        patch = _lowest_patch(shape, face, first, last, known)
+        first, last = max(first, patch.s - patch.wide), min(last, patch.s + patch.wide)
+        strip = Strip(patch.t - patch.high, patch.t + patch.high)
+    low, high = _along_chord(shape, face, first, strip), _along_chord(shape, face, last, strip)
+    falls, rises = low.normal @ face.x, high.normal @ face.x
+    if (falls >= 0.0) | (rises < 0.0):
+        return no_point(face.middle)
+    bracket = Bracket(0.0, 1.0, falls, rises, 1.0)
+    for _ in range(TRIES):
+        if bracket.high - bracket.low <= CLOSE:
+            break
+        share = next_share(bracket)
+        middle = _along_chord(shape, face, first + share * (last - first), strip)
+        slope = middle.normal @ face.x
+        if slope < 0.0:
+            low = middle
+        else:
+            high = middle
+        bracket = narrower(bracket, share, slope)
+    total = bracket.rises - bracket.falls
+    before, after = bracket.rises / total, -bracket.falls / total
+    at = before * low.point + after * high.point
+    return EdgePoint(at, near_face(shape, at).gap, before * low.normal + after * high.normal)
+
+
+@kernel
+def face_reach(table: float, row: int) -> float:
+    """Radius of a circle around a face [m]."""
+    return number_at(table, row + FACE - 3)
