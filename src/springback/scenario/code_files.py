@@ -26,8 +26,11 @@ NAMED_AT: tuple[tuple[str, ...], ...] = (
     ("pilot",), ("pilot", "code"), ("estimator", "code"), ("recovery", "detection", "own", "code"),
     ("world", "obstacles", "*", "shape"),
 )  # fmt: skip
-#: Where a scenario may name the file of a vehicle, or of thrusts.
+#: Where a scenario may name the file of a vehicle, or of thrusts; and of the form of an obstacle.
 FILES_AT: tuple[tuple[str, ...], ...] = (("vehicle",), ("vehicle", "preset"), ("thrust",))
+FORMS_AT: tuple[tuple[str, ...], ...] = (
+    ("world", "obstacles", "*", "file"), ("world", "obstacles", "*", "shapes", "*", "file"),
+)  # fmt: skip
 
 
 # -- names in raw tables --------------------------------------------------------------------------
@@ -45,7 +48,13 @@ def with_absolute_names(given: Mapping[str, Any], folder: Path) -> dict[str, Any
         result = _change_at(result, path, lambda word: absolute_code(word, folder))
     for path in FILES_AT:
         result = _change_at(result, path, lambda word: _absolute_file(word, folder))
+    for path in FORMS_AT:
+        result = _change_at(result, path, lambda word: _absolute_form(word, folder))
     return dict(result)
+
+
+def _absolute_form(word: Any, folder: Path) -> Any:
+    return os.path.abspath(folder / word) if isinstance(word, str) and word else word
 
 
 def _absolute_file(word: Any, folder: Path) -> Any:

@@ -11,6 +11,8 @@ Table = dict[str, Any]
 #: Length of the edge and width of its faces; width of the frame of a window and its thickness [m]
 #: (chosen: so small that two robots can be shown side by side).
 EDGE_LENGTH, EDGE_WIDTH, FRAME, THICKNESS = 2.0, 0.5, 0.25, 0.1
+#: Width and height of a net [m] (chosen).
+NET = (2.0, 1.0)
 
 
 def obstacle_of(settings: LabSettings) -> str:
@@ -40,6 +42,9 @@ def shape_table(s: LabSettings, face: float, height: float, surface: Any, turned
     if s.obstacle == "slope":
         angle, uphill = f"{digits(s.incline)} deg", f"{digits(turned)} deg"
         return made | {"position": [face, 0.0, height], "angle": angle, "uphill": uphill}
+    if s.obstacle == "net":
+        where = {"position": [face, aside, height], "size": list(NET), "yaw": yaw}
+        return {"type": "net", **where, "tension": s.tension}
     if s.obstacle == "edge":
         sizes = {"length": EDGE_LENGTH, "width": EDGE_WIDTH}
         return made | {"position": [face, aside, height], **sizes, "yaw": yaw}

@@ -9,12 +9,13 @@ from springback.files import write_json
 from springback.interfaces.output.folders import SUMMARY, output_folder
 from springback.interfaces.output.python_wording import python_words
 from springback.results.flight import Flight
+from springback.results.forms import FORMS, write_forms
 from springback.results.parquet import write_parquet
 from springback.results.sealed_json import file_digest, with_digest
 
 #: Files of a flight, which are removed when another one replaces it.
 FLIGHT_FILES = (
-    SUMMARY, "trajectory.parquet", "telemetry.parquet",
+    SUMMARY, "trajectory.parquet", "telemetry.parquet", FORMS,
     *(f"{name}.{kind}" for name in ("flight", "energy", "impact") for kind in ("png", "csv")),
 )  # fmt: skip
 
@@ -60,6 +61,7 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
             path = folder / f"{stem}.parquet"
             write_parquet(path, columns, {name: flight.units[name] for name in columns}, about)
             written.append(path)
+    written += write_forms(flight.scenario.world, folder)
     if figures:
         for stem, (picture, numbers) in _pictures(flight).items():
             written += [folder / f"{stem}.png", folder / f"{stem}.csv"]
