@@ -16,12 +16,12 @@ import pytest
 from builders.cases import nonempty
 from builders.forms import ball_triangles, box_triangles, obj_text, stl_bytes
 from springback.contact.grids import data_files
-from springback.contact.grids.closed_meshes import closed, inside, signed_volume
+from springback.contact.grids.closed_meshes import closed_mesh, inside, signed_volume
 from springback.contact.grids.data_files import content_digest, file_bytes, place_content
 from springback.contact.grids.distance_grids import DistanceGrid, cell_of, grid_of_mesh
 from springback.contact.grids.height_maps import height_file
 from springback.contact.grids.images import grey_image
-from springback.contact.grids.kept_forms import form_folder, kept_grid
+from springback.contact.grids.stored_forms import form_folder, stored_grid
 from springback.contact.grids.measured_shapes import HeightMap, MeshBody, OccupancyGrid
 from springback.contact.grids.mesh_distance import SurfacePoints, squares_to
 from springback.contact.grids.mesh_files import Triangles, triangles_of
@@ -63,7 +63,7 @@ def test_all_formats_give_the_same_triangles() -> None:
 
 def test_a_mesh_inside_out_is_turned() -> None:
     """All faces clockwise from outside: they are turned, and the volume is positive."""
-    turned = closed("x", Triangles(BOX.vertices, BOX.faces[:, ::-1]))
+    turned = closed_mesh("x", Triangles(BOX.vertices, BOX.faces[:, ::-1]))
     assert signed_volume(turned) == pytest.approx(0.06)
 
 
@@ -98,7 +98,7 @@ def test_distances_are_those_to_the_nearest_of_all_triangles() -> None:
     """All of them, one by one; near the surface exactly, outside more by less than 1 %, inside by 3 %."""
     mesh, chance = ball_triangles(0.3, 24), np.random.default_rng(1)
     cell = cell_of(mesh, 20_000)
-    grid = grid_of_mesh(closed("x", mesh), cell)
+    grid = grid_of_mesh(closed_mesh("x", mesh), cell)
     flat = chance.integers(0, grid.values.size, size=400)
     index = np.stack(np.unravel_index(flat, grid.values.shape), axis=1)
     points = grid.low + grid.cell * index
@@ -367,8 +367,8 @@ def test_a_grid_is_made_once_and_again_if_its_file_is_damaged() -> None:
         made.append(1)
         return grid()
 
-    assert np.array_equal(kept_grid("a", make).values, grid().values)
-    assert np.array_equal(kept_grid("a", make).values, grid().values)
+    assert np.array_equal(stored_grid("a", make).values, grid().values)
+    assert np.array_equal(stored_grid("a", make).values, grid().values)
     assert len(made) == 1
     [path] = form_folder().glob("*.grid")
     whole = path.read_bytes()
@@ -377,10 +377,10 @@ def test_a_grid_is_made_once_and_again_if_its_file_is_damaged() -> None:
     ):
         path.write_bytes(damaged)
         with pytest.warns(CacheWarning, match="kept grid ignored"):
-            assert np.array_equal(kept_grid("a", make).values, grid().values)
+            assert np.array_equal(stored_grid("a", make).values, grid().values)
         assert len(made) == k + 2
         assert path.read_bytes() == whole
-    assert len(kept_grid("b", make).values) == 3
+    assert len(stored_grid("b", make).values) == 3
     assert len(made) == 6
 
 
@@ -391,7 +391,7 @@ def test_where_nothing_can_be_written_grids_are_made_anew(
     (tmp_path / "file").write_text("")
     monkeypatch.setenv("SPRINGBACK_CACHE_DIR", str(tmp_path / "file"))
     with pytest.warns(CacheWarning, match="grids cannot be kept"):
-        assert np.array_equal(kept_grid("a", grid).values, grid().values)
+        assert np.array_equal(stored_grid("a", grid).values, grid().values)
 
 
 def _in_process(folder: str, number: int) -> int:
@@ -405,7 +405,7 @@ def _in_process(folder: str, number: int) -> int:
         made.append(number)
         return grid()
 
-    found = kept_grid("shared", make)
+    found = stored_grid("shared", make)
     assert np.array_equal(found.values, grid().values)
     return len(made)
 

@@ -73,7 +73,7 @@ def test_a_saved_flight_needs_no_other_file(folder: Path) -> None:
     assert float(np.ptp(drawn[0].vertices[:, 1])) == pytest.approx(2.0, abs=0.05)
     data = (folder / "out" / "forms.zip").read_bytes()
     (folder / "out" / "forms.zip").write_bytes(data[:-3] + b"xyz")
-    with pytest.raises(InputError, match="forms.zip: is damaged, or belongs to another flight"):
+    with pytest.raises(InputError, match=r"forms.zip: is damaged, or belongs to another flight"):
         springback.load(folder / "out")
 
 

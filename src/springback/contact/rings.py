@@ -44,7 +44,7 @@ class Direction(NamedTuple):
     y: float
 
 
-def turned(arcs: float) -> Direction:
+def turn_of(arcs: float) -> Direction:
     """Direction at some number of arcs from the first axis."""
     angle = 2.0 * math.pi * arcs / ARCS
     return Direction(math.cos(angle), math.sin(angle))
@@ -52,8 +52,8 @@ def turned(arcs: float) -> Direction:
 
 #: Steps around a ring in which a saddle is looked for.
 SHORTS = 64
-_SHORT = turned(ARCS / SHORTS)
-_STEP, _HALF, _ARC = turned(1.0 / STEPS), turned(0.5), turned(1.0)
+_SHORT = turn_of(ARCS / SHORTS)
+_STEP, _HALF, _ARC = turn_of(1.0 / STEPS), turn_of(0.5), turn_of(1.0)
 
 
 class LowPoint(NamedTuple):

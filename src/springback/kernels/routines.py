@@ -33,7 +33,7 @@ _unliteral: Any = types.unliteral
 Numbers = np.ndarray[Any, np.dtype[np.float64]]
 
 
-class _KeptNumbers(np.ndarray[Any, Any]):
+class _SharedNumbers(np.ndarray[Any, Any]):
     """Numbers of a table, which hold the tables whose addresses are among them."""
 
     parts: tuple[NumberTable, ...]
@@ -53,7 +53,7 @@ class NumberTable(float):
             parts: Other tables, by the place at which their address is written among the numbers:
                 several tables can share one that is large.
         """
-        copied = np.array(numbers, dtype=np.float64).ravel().view(_KeptNumbers)
+        copied = np.array(numbers, dtype=np.float64).ravel().view(_SharedNumbers)
         for place, part in (parts or {}).items():
             copied[place] = float(part)
         copied.parts = tuple((parts or {}).values())

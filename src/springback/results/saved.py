@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
+from springback.contact.grids.form_copies import FORMS, place_forms
 from springback.errors import InputError
 from springback.results.database import in_database, parquet, pattern, sandbox
 from springback.results.flight import Flight
-from springback.results.forms import FORMS, place_forms
 from springback.results.meshes import read_surfaces
 from springback.results.recovery_measures import RECOVERY_MEASURES
 from springback.results.sealed_json import file_digest, is_sealed, read_object

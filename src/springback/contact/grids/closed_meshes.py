@@ -15,7 +15,7 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 FLAT = 1e-9
 
 
-def closed(file: str, mesh: Triangles) -> Triangles:
+def closed_mesh(file: str, mesh: Triangles) -> Triangles:
     """The mesh, with its faces anticlockwise from outside.
 
     Args:

@@ -12,7 +12,7 @@ import scipy  # submodules are loaded on first use
 from springback.contact.grids.data_files import npy_array, suffix_of
 from springback.contact.grids.distance_grids import coefficients
 from springback.contact.grids.images import grey_image
-from springback.contact.grids.occupancy import written
+from springback.contact.grids.occupancy import new_file
 from springback.contact.scene.height_face import COEFFICIENTS
 from springback.kernels.routines import NumberTable
 from springback.settings import problem
@@ -79,7 +79,7 @@ def height_file(heights: Any, path: str | Path | None = None) -> str:
     Raises:
         InputError: If it cannot be written.
     """
-    return written({"heights": np.asarray(heights, dtype=np.float64)}, ".npy", path)
+    return new_file({"heights": np.asarray(heights, dtype=np.float64)}, ".npy", path)
 
 
 def height_form(heights: Array, apart: Array, depth: float) -> HeightForm:

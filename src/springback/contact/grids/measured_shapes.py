@@ -9,7 +9,7 @@ from typing import Annotated, Any, Literal, NamedTuple
 import numpy as np
 from pydantic import Field, model_validator
 
-from springback.contact.grids.closed_meshes import closed
+from springback.contact.grids.closed_meshes import closed_mesh
 from springback.contact.grids.data_files import checked_content, file_bytes
 from springback.contact.grids.distance_grids import (
     DistanceGrid,
@@ -18,7 +18,7 @@ from springback.contact.grids.distance_grids import (
     grid_of_mesh,
 )
 from springback.contact.grids.height_maps import HeightForm, height_form, read_heights
-from springback.contact.grids.kept_forms import kept_grid
+from springback.contact.grids.stored_forms import stored_grid
 from springback.contact.grids.mesh_files import Triangles, triangles_of
 from springback.contact.grids.occupancy import Cells, read_cells
 from springback.contact.scene.solids import GRID, HEIGHTS
@@ -187,7 +187,7 @@ def _height_form(
 
 @lru_cache(maxsize=LATEST)
 def _triangles(file: str, content: str, scale: float) -> Triangles:
-    found = closed(file, triangles_of(file, file_bytes(file, content)))
+    found = closed_mesh(file, triangles_of(file, file_bytes(file, content)))
     return Triangles(found.vertices * scale, found.faces)
 
 
@@ -198,7 +198,7 @@ def _mesh_form(file: str, content: str, scale: float, cell: float | None) -> Gri
         return grid_of_mesh(mesh, cell_of(mesh) if cell is None else cell)
 
     key = json.dumps(["mesh", content, scale, cell])
-    return _grid_form(kept_grid(key, make))
+    return _grid_form(stored_grid(key, make))
 
 
 @lru_cache(maxsize=LATEST)
@@ -215,4 +215,4 @@ def _grid_form_of_cells(
         return grid_of_cells(found.occupied, found.cell, found.low)
 
     key = json.dumps(["occupancy", content, cell, threshold, unknown])
-    return _grid_form(kept_grid(key, make))
+    return _grid_form(stored_grid(key, make))

@@ -31,7 +31,7 @@ MOST_ALONG = 400
 _AROUND = np.array([[0, 0, 0], [1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]])
 
 
-class Nearest(NamedTuple):
+class NearestTriangles(NamedTuple):
     """Nearest triangle of each of some points."""
 
     distance: Array  # [m]; infinite if none was found
@@ -62,7 +62,7 @@ class SurfacePoints:
         self.owners = np.concatenate(owners)
         self.tree = scipy.spatial.cKDTree(np.concatenate(places))
 
-    def nearest(self, points: Array, within: float) -> Nearest:
+    def nearest(self, points: Array, within: float) -> NearestTriangles:
         """Nearest triangle of each point that is near the surface.
 
         Args:
@@ -78,7 +78,7 @@ class SurfacePoints:
             k = np.asarray(k).reshape(len(part), most)
             owners = np.append(self.owners, -1)[k]
             self.take(points, part, owners, distance, owner)
-        return Nearest(distance, owner)
+        return NearestTriangles(distance, owner)
 
     def take(
         self, points: Array, part: Cells, owners: Cells, distance: Array, owner: Cells

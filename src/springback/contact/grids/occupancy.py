@@ -13,7 +13,7 @@ import numpy as np
 
 from springback.contact.grids.data_files import npy_array, npz_arrays, suffix_of
 from springback.contact.grids.distance_grids import MOST_NODES
-from springback.contact.grids.kept_forms import form_folder
+from springback.contact.grids.stored_forms import form_folder
 from springback.errors import InputError
 from springback.files import write_atomically
 from springback.settings import problem
@@ -85,7 +85,7 @@ def _occupied(file: str, values: Array, threshold: float, unknown: bool) -> Arra
     return np.where(lost, unknown, numbers >= max(threshold, 1e-12))
 
 
-def written(arrays: Mapping[str, Any], suffix: str, path: str | Path | None) -> str:
+def new_file(arrays: Mapping[str, Any], suffix: str, path: str | Path | None) -> str:
     """Path of a new file of arrays.
 
     Args:
@@ -135,4 +135,4 @@ def occupancy_file(
         InputError: If it cannot be written.
     """
     arrays = {"occupancy": np.asarray(occupancy), "cell": cell, "origin": np.asarray(origin)}
-    return written(arrays, ".npz", path)
+    return new_file(arrays, ".npz", path)

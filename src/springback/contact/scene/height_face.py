@@ -6,8 +6,8 @@ lies below it within a rectangle, down to a level bottom; its sides are upright.
 The nearest point of the surface is found by Newton's method from the point on the tangent plane
 below.  A point that is nearer to the surface than the smallest radius of its hollows has one
 nearest point only (the reach of H. Federer, "Curvature measures", 1959; the graph of a height has
-no other narrow places), so what is found there is the distance.  Farther away it is the height above the
-ground, over the length of the steepest normal: never more than the distance.
+no other narrow places), so what is found there is the distance.  Farther away it is the height
+above the ground, over the length of the steepest normal: never more than the distance.
 """
 
 from __future__ import annotations

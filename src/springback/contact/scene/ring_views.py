@@ -26,7 +26,7 @@ from springback.contact.rings import (
     between,
     direction_of,
     rotate,
-    turned,
+    turn_of,
     with_saddle,
 )
 from springback.contact.scene.grid_face import CELL, grid_face
@@ -123,8 +123,8 @@ def _normal_of_form(one: FormAlongRing, point: Vec) -> Vec:
 
 #: Strides around a ring in steps of 2.8 deg, and the turns that they are.
 WHOLE = ARCS * STEPS
-_ONE, _TWO, _FOUR = turned(1.0 / STEPS), turned(2.0 / STEPS), turned(4.0 / STEPS)
-_EIGHT, _SIXTEEN, _THIRTY_TWO = turned(8.0 / STEPS), turned(16.0 / STEPS), turned(32.0 / STEPS)
+_ONE, _TWO, _FOUR = turn_of(1.0 / STEPS), turn_of(2.0 / STEPS), turn_of(4.0 / STEPS)
+_EIGHT, _SIXTEEN, _THIRTY_TWO = turn_of(8.0 / STEPS), turn_of(16.0 / STEPS), turn_of(32.0 / STEPS)
 #: A distance changes by no more than this per metre: a spline beside a hollow edge by a little more
 #: than 1 (chosen).
 STEEPEST = 1.1

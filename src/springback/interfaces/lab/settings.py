@@ -231,7 +231,7 @@ class LabSettings(Settings):
     )] = 45.0  # fmt: skip
     tension: Annotated[float, _of_shapes(
         "net", unit="N/m", label="Tension of the net", least=10.0, most=1000.0, step=1.0,
-        logarithmic=True, explains="Per width. The net is 2 m wide and 1 m high, and its own surface.",
+        logarithmic=True, explains="Per width. The net is 2 m by 1 m, with its own surface.",
         path="world.obstacles.0.tension",
     )] = 100.0  # fmt: skip
     turn: Annotated[float, _of_shapes(
@@ -240,7 +240,8 @@ class LabSettings(Settings):
         path="world.obstacles.0.yaw",
     )] = 0.0  # fmt: skip
     offset: Annotated[float, _of_shapes(
-        "pole", "edge", "sphere", "window", "net", label="Offset", least=-500.0, most=500.0, step=5.0,
+        "pole", "edge", "sphere", "window", "net", label="Offset", least=-500.0, most=500.0,
+        step=5.0,
         explains="To the left of the robot's way.", path="world.obstacles.0.position",
     )] = 0.0  # fmt: skip
     surface: Surfaces = "wall"

@@ -5,11 +5,11 @@ from __future__ import annotations
 from importlib.util import find_spec
 from pathlib import Path
 
+from springback.contact.grids.form_copies import FORMS, write_forms
 from springback.files import write_json
 from springback.interfaces.output.folders import SUMMARY, output_folder
 from springback.interfaces.output.python_wording import python_words
 from springback.results.flight import Flight
-from springback.results.forms import FORMS, write_forms
 from springback.results.parquet import write_parquet
 from springback.results.sealed_json import file_digest, with_digest
 

@@ -36,7 +36,7 @@ def form_folder() -> Path:
     return Path(os.path.expanduser(root)) / "forms"
 
 
-def kept_grid(key: str, make: Callable[[], DistanceGrid]) -> DistanceGrid:
+def stored_grid(key: str, make: Callable[[], DistanceGrid]) -> DistanceGrid:
     """A grid of the disk, or a new one, which is then kept.
 
     Args:

@@ -6,18 +6,18 @@ import zipfile
 from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 from springback.contact.grids.data_files import MOST_BYTES, file_bytes, place_content
 from springback.contact.grids.measured_shapes import FormShape
 from springback.contact.unions import ShapeUnion
 from springback.errors import InputError
-from springback.scenario.tables import WorldSettings
 
 #: Name of the file that holds them, each by its SHA-256.
 FORMS = "forms.zip"
 
 
-def forms_of(world: WorldSettings) -> Iterator[FormShape]:
+def forms_of(world: Any) -> Iterator[FormShape]:
     """Obstacles whose form is in a file, those in unions, too."""
     for entry in world.obstacles:
         for one in entry.shapes if isinstance(entry, ShapeUnion) else (entry,):
@@ -25,7 +25,7 @@ def forms_of(world: WorldSettings) -> Iterator[FormShape]:
                 yield one
 
 
-def write_forms(world: WorldSettings, folder: Path) -> list[Path]:
+def write_forms(world: Any, folder: Path) -> list[Path]:
     """Write the files of all forms of a world to a folder, if there are any."""
     found = {one.content: one.file for one in forms_of(world)}
     if not found:
