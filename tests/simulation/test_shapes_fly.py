@@ -9,12 +9,26 @@ import numpy as np
 import pytest
 
 from builders.cases import nonempty
-from builders.shape_scenes import SHAPES
+from builders.forms import box_file, cells_file, hills_file
+from builders.shape_scenes import SHAPES as BUILT_IN
 from springback.batch.scenarios import fly_scenarios
 from springback.results.flight import fly
 from springback.scenario.scenario import scenario_from
 from springback.simulation.measures import Outcome
 
+HERE = [2.7, 0.02, 1.0]
+SHAPES: dict[str, dict[str, Any]] = {
+    **BUILT_IN,
+    "heightmap": {"file": hills_file(), "spacing": 0.1, "position": [2.7, 0.02, 1.0],
+                  "roll": "90 deg", "yaw": "-90 deg"},
+    "mesh": {"file": box_file(1.0, 1.0, 1.0), "position": [3.25, 0.0, 1.0], "yaw": "10 deg"},
+    "occupancy": {"file": cells_file(), "position": [2.7, -0.3, 0.7]},
+    "net": {"position": HERE, "tension": 200.0},
+    "union": {"position": HERE, "yaw": "20 deg", "shapes": [
+        {"type": "pole", "position": [0.0, -0.1, 0.0], "radius": 0.05},
+        {"type": "mesh", "file": box_file(1.0, 1.0, 1.0), "position": [0.6, 0.3, 0.0]},
+    ]},
+}  # fmt: skip
 LAWS: dict[str, dict[str, Any]] = {
     "hunt-crossley": {"law": "hunt-crossley", "dissipation": 0.3},
     "hertz": {"law": "hertz", "exponent": 2.0, "stiffness": 1e7},
@@ -53,7 +67,8 @@ TABLE = table()
 def obstacles(one: dict[str, Any]) -> list[dict[str, Any]]:
     """The obstacles of a combination."""
     surface = {**LAWS[one["law"]], "friction": 0.8, "friction_axes": one["axes"]}
-    found = [{"type": one["shape"], **SHAPES[one["shape"]], "surface": surface}]
+    own = {} if one["shape"] == "net" else {"surface": surface}
+    found = [{"type": one["shape"], **SHAPES[one["shape"]], **own}]
     if one["beside"] == "ground":
         found.append({"type": "ground", "height": -3.0, "surface": "wall"})
     elif one["beside"] == "mat":
@@ -101,7 +116,7 @@ def test_every_shape_meets_every_setting(shape: str) -> None:
         assert m["contacts"] == 1.0, one
         # The paper's contact point is made for planes: it neglects that a curved face's normal
         # turns as the arm moves along it, so its work is not exact there.
-        exact = one["point"] == "ring" or shape in ("box", "edge", "slope", "stairs")
+        exact = one["point"] == "ring" or shape in ("box", "edge", "slope", "stairs", "net")
         assert abs(m["ledger_residual"] or 0.0) < (1e-5 if exact else 2e-4), one
         if exact:
             assert 0.1 < (m["touch_speed"] or 0.0) <= 2.1, one
@@ -129,12 +144,16 @@ def test_compiled_and_in_lanes_it_is_the_same_flight() -> None:
             assert np.isnan(row) if value is None else row == value, (COMPILED[k], name)
 
 
+def _with_surface(one: dict[str, Any]) -> dict[str, Any]:
+    return one if one["type"] == "net" else {"surface": "wall", **one}
+
+
 def impact(obstacles: list[dict[str, Any]], **start: Any) -> dict[str, Any]:
     """ARQ at 2 m/s, nose a little down, for 0.6 s."""
     return {
         "vehicle": "arq",
         "thrust": "hover",
-        "world": {"obstacles": [{"surface": "wall", **one} for one in obstacles]},
+        "world": {"obstacles": [_with_surface(one) for one in obstacles]},
         "start": {
             "position": [2.0, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0], "pitch": "15 deg",
             "yaw": "10 deg", **start,
@@ -148,7 +167,7 @@ def test_the_ledger_of_a_whole_impact_closes(shape: str) -> None:
     """Beneath edges, too, where the nearest face changes: to 5e-5 there, elsewhere to 1e-6."""
     m = fly(impact([{"type": shape, **SHAPES[shape]}]), trajectory=False).measures
     assert m["contacts"]
-    edged = shape in ("window", "doorway")
+    edged = shape in ("window", "doorway", "union")
     assert abs(m["ledger_residual"] or 0.0) < (5e-5 if edged else 1e-6)
 
 

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 from springback.contact.library import WALL
 from springback.contact.parameters import SurfaceSettings
 from springback.contact.scene.faces import SolidScene
+from springback.contact.shapes import ShapeSettings
 from springback.contact.surfaces import AnyExponent
 from springback.contact.worlds import obstacles
 from springback.errors import InputError
@@ -96,7 +97,10 @@ def _check_common(first: Scenario, second: Scenario) -> None:
                 f"world.obstacles[{k}]: cannot be combined with a second vehicle: it "
                 + ("is a shape of your own" if isinstance(entry, UserShape) else "moves")
             )
-        laws = (entry.surface, getattr(entry, "backing", entry.surface))
+        if isinstance(entry, ShapeSettings):
+            laws = tuple(part.surface for part in entry.parts())
+        else:
+            laws = (entry.surface, getattr(entry, "backing", entry.surface))
         if any(law.law == "impulse" for law in laws):
             raise InputError(
                 f"world.obstacles[{k}].surface.law: must not be impulse beside a second vehicle"

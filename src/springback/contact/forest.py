@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 
 from springback.contact.scene.solids import CAPSULE
 from springback.contact.scene.table import ENDLESS
-from springback.contact.shapes import NotNegative, Place, ShapeSettings, SolidShape, Widths
+from springback.contact.shapes import NotNegative, Place, SolidShape, SurfacedShape, Widths
 from springback.quantities import Length, Unit
 from springback.random_streams import Purpose, stream
 from springback.settings import problem
@@ -21,7 +21,7 @@ MOST_TRUNKS = 20_000
 TRIALS = 30
 
 
-class Forest(ShapeSettings):
+class Forest(SurfacedShape):
     """Upright trunks without end, at random places that keep a distance from each other."""
 
     type: Literal["forest"]

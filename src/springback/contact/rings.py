@@ -44,15 +44,16 @@ class Direction(NamedTuple):
     y: float
 
 
-def _turn(arcs: float) -> Direction:
+def turn_of(arcs: float) -> Direction:
+    """Direction at some number of arcs from the first axis."""
     angle = 2.0 * math.pi * arcs / ARCS
     return Direction(math.cos(angle), math.sin(angle))
 
 
 #: Steps around a ring in which a saddle is looked for.
 SHORTS = 64
-_SHORT = _turn(ARCS / SHORTS)
-_STEP, _HALF, _ARC = _turn(1.0 / STEPS), _turn(0.5), _turn(1.0)
+_SHORT = turn_of(ARCS / SHORTS)
+_STEP, _HALF, _ARC = turn_of(1.0 / STEPS), turn_of(0.5), turn_of(1.0)
 
 
 class LowPoint(NamedTuple):
@@ -99,13 +100,15 @@ def _opposite_normal(opposite: InverseShape, point: Vec) -> Vec:
 
 
 @kernel
-def _direction(x: float, y: float) -> Direction:
+def direction_of(x: float, y: float) -> Direction:
+    """Direction of a vector in the plane of the arms."""
     scale = 1.0 / math.sqrt(x * x + y * y)
     return Direction(x * scale, y * scale)
 
 
 @kernel
-def _rotate(towards: Direction, by: Direction) -> Direction:
+def rotate(towards: Direction, by: Direction) -> Direction:
+    """Direction turned by the angle of another one."""
     return Direction(towards.x * by.x - towards.y * by.y, towards.x * by.y + towards.y * by.x)
 
 
@@ -128,8 +131,9 @@ def _rise(shape: Any, centre: Vec, radius: float, towards: Direction) -> float:
 
 
 @kernel
-def _between(a: Direction, b: Direction, share: float) -> Direction:
-    return _direction(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y))
+def between(a: Direction, b: Direction, share: float) -> Direction:
+    """Direction between two, at some share of the way from the first to the second."""
+    return direction_of(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y))
 
 
 @kernel
@@ -164,15 +168,15 @@ def _turning(
         room = max(allowed - 0.5 * width, 0.0)
         share = min(max(tried, middle - room), middle + room)
         allowed *= 0.5
-        slope = _rise(shape, centre, radius, _between(a, b, share))
+        slope = _rise(shape, centre, radius, between(a, b, share))
         if slope < 0.0:
             low, falls = share, slope
         else:
             high, rises = share, slope
     before, after = rises / (rises - falls), falls / (falls - rises)
-    there = _between(a, b, low * before + high * after)
-    n_low = outward_normal(shape, on_ring(centre, radius, _between(a, b, low)))
-    n_high = outward_normal(shape, on_ring(centre, radius, _between(a, b, high)))
+    there = between(a, b, low * before + high * after)
+    n_low = outward_normal(shape, on_ring(centre, radius, between(a, b, low)))
+    n_high = outward_normal(shape, on_ring(centre, radius, between(a, b, high)))
     gap = signed_distance(shape, on_ring(centre, radius, there))
     return LowPoint(there, gap, before * n_low + after * n_high)
 
@@ -192,26 +196,26 @@ def _highest_between(
 
     Its gap is `FAR` if the ring is outside somewhere.
     """
-    end = _rotate(last, Direction(first.x, -first.y))
+    end = rotate(last, Direction(first.x, -first.y))
     ahead, best, highest, before, after = _SHORT, first, -FAR, first, last
     there = first
     for _ in range(SHORTS):
         if not _is_before(ahead, end) or highest >= 0.0:
             break
-        earlier, there = there, _rotate(first, ahead)
+        earlier, there = there, rotate(first, ahead)
         gap = _distance(shape, centre, radius, there)
-        ahead = _rotate(ahead, _SHORT)
+        ahead = rotate(ahead, _SHORT)
         if gap > highest:
             best, highest, before = there, gap, earlier
-            after = _rotate(there, _SHORT) if _is_before(ahead, end) else last
+            after = rotate(there, _SHORT) if _is_before(ahead, end) else last
     if highest >= 0.0 or highest == -FAR:
         return LowPoint(first, FAR if highest >= 0.0 else highest, Vec(0.0, 0.0, 1.0))
     # At a minimum the slope has no sign: the bracket ends halfway to it.
     opposite, a, b = InverseShape(shape), before, after
     if (a.x == first.x) & (a.y == first.y):
-        a = _between(first, best, 0.5)
+        a = between(first, best, 0.5)
     if (b.x == last.x) & (b.y == last.y):
-        b = _between(best, last, 0.5)
+        b = between(best, last, 0.5)
     falls, rises = _rise(opposite, centre, radius, a), _rise(opposite, centre, radius, b)
     if falls < 0.0 <= rises:
         found = _turning(opposite, centre, radius, a, b, falls, rises)
@@ -234,19 +238,19 @@ def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> LowP
         outward: The direction that counts as lowest if the ring lies flat: that of the arm.
     """
     n = outward_normal(shape, centre)
-    guess = _direction(ASIDE * outward.x - n.x, ASIDE * outward.y - n.y)
+    guess = direction_of(ASIDE * outward.x - n.x, ASIDE * outward.y - n.y)
     there = on_ring(centre, radius, guess)
     level = LowPoint(guess, signed_distance(shape, there), outward_normal(shape, there))
     first = second = LowPoint(guess, FAR, level.normal)
     lowest = level.gap
     begin = Direction(1.0, 0.0)
     for _ in range(ARCS):
-        middle = _distance(shape, centre, radius, _rotate(begin, _HALF))
+        middle = _distance(shape, centre, radius, rotate(begin, _HALF))
         lowest = min(lowest, middle)
         if middle - REACH * radius <= max(lowest, 0.0):
             a, falls = begin, _rise(shape, centre, radius, begin)
             for _ in range(STEPS):
-                b = _rotate(a, _STEP)
+                b = rotate(a, _STEP)
                 rises = _rise(shape, centre, radius, b)
                 if falls < 0.0 <= rises:
                     found = _turning(shape, centre, radius, a, b, falls, rises)
@@ -255,10 +259,26 @@ def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> LowP
                     elif found.gap < second.gap:
                         second = found
                 a, falls = b, rises
-        begin = _rotate(begin, _ARC)
-    saddle = LowPoint(guess, FAR, level.normal)
+        begin = rotate(begin, _ARC)
+    return with_saddle(shape, centre, radius, first if first.gap < FAR else level, second)
+
+
+@kernel
+def with_saddle(
+    shape: Any, centre: Vec, radius: float, first: LowPoint, second: LowPoint
+) -> LowPoints:
+    """The two lowest minima, and the saddle between them if both are inside.
+
+    Args:
+        shape: As for `lowest_on_ring`.
+        centre: As for `lowest_on_ring`.
+        radius: As for `lowest_on_ring`.
+        first: The lowest.
+        second: The next one; a gap of `FAR` if there is none.
+    """
+    saddle = LowPoint(first.towards, FAR, first.normal)
     if second.gap < 0.0:
         one = _highest_between(shape, centre, radius, first.towards, second.towards)
         other = _highest_between(shape, centre, radius, second.towards, first.towards)
         saddle = one if one.gap < other.gap else other
-    return LowPoints(first if first.gap < FAR else level, second, saddle)
+    return LowPoints(first, second, saddle)

@@ -49,16 +49,31 @@ class SolidShape(NamedTuple):
     rounding: float  # [m]
 
 
+class SolidPart(NamedTuple):
+    """A solid with its surface."""
+
+    body: SolidShape
+    surface: SurfaceSettings
+
+
 class ShapeSettings(Settings):
     """What all built-in shapes have."""
 
-    surface: SurfaceSettings
     motion: MotionSettings | None = None
     """How it moves; it is at rest unless it is given."""
 
     @abstractmethod
     def bodies(self) -> list[SolidShape]:
         """Its solids."""
+
+    @abstractmethod
+    def law(self) -> SurfaceSettings:
+        """Its surface."""
+
+    def parts(self) -> list[SolidPart]:
+        """Its solids, each with its surface."""
+        law = self.law()
+        return [SolidPart(body, law) for body in self.bodies()]
 
     def check_edge(self, edge: float, thinnest: float) -> None:
         """Reject edges rounded by more than half of what they round."""
@@ -69,8 +84,18 @@ class ShapeSettings(Settings):
             )
 
 
-class AttitudeShape(ShapeSettings):
-    """A shape that can be turned."""
+class SurfacedShape(ShapeSettings):
+    """A shape of which the user gives the surface."""
+
+    surface: SurfaceSettings
+
+    def law(self) -> SurfaceSettings:
+        """Its surface."""
+        return self.surface
+
+
+class AttitudeSettings(Settings):
+    """Attitude of a shape that can be turned."""
 
     roll: Angle = 0.0
     pitch: Angle = 0.0
@@ -82,6 +107,10 @@ class AttitudeShape(ShapeSettings):
         return np.array(turn).T
 
 
+class AttitudeShape(AttitudeSettings, SurfacedShape):
+    """A shape that can be turned."""
+
+
 def axes_along(direction: Triple) -> Array:
     """Axes of which the third is along a direction."""
     z = np.array(direction) / math.hypot(*direction)
@@ -91,7 +120,7 @@ def axes_along(direction: Triple) -> Array:
     return np.array([x, np.cross(z, x), z])
 
 
-class AxisShape(ShapeSettings):
+class AxisShape(SurfacedShape):
     """A shape around an axis."""
 
     axis: Direction = (0.0, 0.0, 1.0)
@@ -148,7 +177,7 @@ class Edge(AttitudeShape):
         return [SolidShape(BOX, centre, turned, (half, half, 0.5 * self.length - edge), edge)]
 
 
-class Ball(ShapeSettings):
+class Ball(SurfacedShape):
     """A sphere."""
 
     type: Literal["sphere"]
@@ -182,7 +211,7 @@ class Pole(AxisShape):
         return [SolidShape(FRUSTUM, centre, axes, (r, r, 0.5 * self.height - edge), edge)]
 
 
-class Capsule(ShapeSettings):
+class Capsule(SurfacedShape):
     """A rod with round ends: a branch, a cable, a rail."""
 
     type: Literal["capsule"]
@@ -263,7 +292,7 @@ class Hoop(AxisShape):
         ]
 
 
-class Slope(ShapeSettings):
+class Slope(SurfacedShape):
     """Inclined ground without end."""
 
     type: Literal["slope"]
@@ -281,7 +310,7 @@ class Slope(ShapeSettings):
         return [SolidShape(HALF_SPACE, np.array(self.position), axes_along(normal), (), 0.0)]
 
 
-class Stairs(ShapeSettings):
+class Stairs(SurfacedShape):
     """A flight of stairs, each step a box from the floor up."""
 
     type: Literal["stairs"]

@@ -13,36 +13,23 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from springback.contact.forest import Forest
+from springback.contact.grids.measured_shapes import FormShape
 from springback.contact.moving.building import MovingShape, moving_scene
 from springback.contact.moving.scene import MovingScene
+from springback.contact.nets import Net
 from springback.contact.obstacles import Obstacle, Plane, SecondContact
-from springback.contact.openings import Doorway, Window
 from springback.contact.parameters import Ground, Mat, SurfaceSettings, Wall, faces
 from springback.contact.scene.faces import SolidScene
 from springback.contact.scene.table import MOST_SOLIDS, Solid, scene_of
-from springback.contact.shapes import (
-    Ball,
-    Box,
-    Capsule,
-    Cone,
-    Edge,
-    Hoop,
-    Pole,
-    ShapeSettings,
-    Slope,
-    SolidShape,
-    Stairs,
-    half_space,
-    solids_of,
-)
+from springback.contact.shapes import ShapeSettings, SolidShape, half_space
 from springback.contact.surfaces import AnyExponent, Linear, ThreeHalves
+from springback.contact.unions import ShapeUnion, SingleShape
+from springback.kernels.routines import NumberTable
 from springback.kernels.vectors import Vec
 from springback.settings import problem
 
-Shape = (
-    Box | Edge | Ball | Pole | Capsule | Cone | Hoop | Window | Doorway | Slope | Stairs | Forest
-)
+#: Any shape, of one body or several.
+Shape = SingleShape | ShapeUnion
 #: Any obstacle of springback's own.
 BuiltIn = Wall | Ground | Mat | Shape
 ObstacleSettings = Annotated[BuiltIn, Field(discriminator="type")]
@@ -128,13 +115,19 @@ def _moving_scene(
         )
     moving = []
     for k, entry in zip(numbers, settings, strict=True):
+        if isinstance(entry, FormShape | Net | ShapeUnion) and _moves(entry):
+            what = f"is not possible for obstacles of type {entry.type}"
+            raise problem(what, f"world.obstacles[{k}].motion")
         if isinstance(entry, Wall | ShapeSettings) and _moves(entry):
-            surface = entry.surface.surface(AnyExponent, by_number=True)
+            law = entry.law() if isinstance(entry, ShapeSettings) else entry.surface
+            surface = law.surface(AnyExponent, by_number=True)
             moving.append(MovingShape(_solids_alone(entry), surface, entry.motion, k))
     return moving_scene(still, moving)
 
 
 def _is_impulsive(entry: BuiltIn) -> bool:
+    if isinstance(entry, ShapeSettings):
+        return any(part.surface.law == "impulse" for part in entry.parts())
     laws = (entry.surface, getattr(entry, "backing", entry.surface))
     return any(law.law == "impulse" for law in laws)
 
@@ -159,7 +152,10 @@ def _scene(settings: Sequence[BuiltIn], own: Sequence[Own]) -> SolidScene:
         Obstacle(shape, law.surface(AnyExponent, by_number=True), ground)
         for shape, law, ground in _own_faces(own)
     )
-    return _scene_of_built_in(tuple(settings))._replace(own=beside)
+    built = _scene_of_built_in(tuple(settings))
+    if isinstance(built.table, NumberTable):
+        built.table.hold()  # it may be of an earlier batch, and soon be forgotten here
+    return built._replace(own=beside)
 
 
 @lru_cache(maxsize=LATEST)
@@ -169,7 +165,8 @@ def _scene_of_built_in(settings: tuple[BuiltIn, ...]) -> SolidScene:
     solids: list[Solid] = []
     for owner, entry in enumerate(settings):
         if isinstance(entry, ShapeSettings):
-            solids += solids_of(entry, laws.setdefault(entry.surface, len(laws)), owner)
+            for body, law in entry.parts():
+                solids.append(Solid(*body, laws.setdefault(law, len(laws)), 0.0, owner))
             continue
         for plane, law, ground in faces(entry):
             surface = laws.setdefault(law, len(laws))

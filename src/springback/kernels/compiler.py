@@ -80,6 +80,15 @@ def rare_kernel(function: F) -> F:
     return registered
 
 
+def called_kernel(function: F) -> F:
+    """Mark a long kernel: compiled once and called where others are inlined.
+
+    A callee inherits its caller's flags unless it sets them, to be inlined among them.
+    """
+    registered: F = register_jitable(**{**INLINED, "forceinline": False})(function)
+    return registered
+
+
 def compiler_rule(
     function: Callable[..., Any], options: dict[str, Any] = INLINED, *, literal: bool = False
 ) -> Callable[[F], F]:

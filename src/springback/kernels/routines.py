@@ -13,9 +13,9 @@ from __future__ import annotations
 
 import hashlib
 import weakref
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import Any, TypeVar
+from typing import Any, Self, TypeVar
 
 import numba
 import numpy as np
@@ -33,27 +33,47 @@ _unliteral: Any = types.unliteral
 Numbers = np.ndarray[Any, np.dtype[np.float64]]
 
 
+class _SharedNumbers(np.ndarray[Any, Any]):
+    """Numbers of a table, which hold the tables whose addresses are among them."""
+
+    parts: tuple[NumberTable, ...]
+
+
 class NumberTable(float):
     """Address of an array of floats, which lives at least as long as this object."""
 
     numbers: Numbers
+    parts: Mapping[int, NumberTable]
 
-    def __new__(cls, numbers: Numbers) -> NumberTable:
-        """A table of these numbers, which are copied; the same numbers are at the same address."""
-        copied = np.array(numbers, dtype=np.float64).ravel()
+    def __new__(cls, numbers: Numbers, parts: Mapping[int, NumberTable] | None = None) -> Self:
+        """A table of these numbers, which are copied; the same numbers are at the same address.
+
+        Args:
+            numbers: The numbers.
+            parts: Other tables, by the place at which their address is written among the numbers:
+                several tables can share one that is large.
+        """
+        copied = np.array(numbers, dtype=np.float64).ravel().view(_SharedNumbers)
+        for place, part in (parts or {}).items():
+            copied[place] = float(part)
+        copied.parts = tuple((parts or {}).values())
         content = hashlib.sha256(copied.tobytes()).digest()
         kept = _BY_CONTENT.setdefault(content, copied)
         kept.setflags(write=False)
         table = super().__new__(cls, kept.ctypes.data)
-        table.numbers = kept
+        table.numbers, table.parts = kept, dict(parts or {})
         _TABLES[float(table)] = kept
-        for keeper in _KEEPERS:
-            keeper.append(kept)
+        table.hold()
         return table
 
+    def hold(self) -> None:
+        """Let `tables_held` hold this table, which may have been made before."""
+        for keeper in _KEEPERS:
+            keeper.append(self.numbers)
+
     def __reduce__(self) -> Any:
-        """Pickle the numbers, not their address."""
-        return NumberTable, (self.numbers,)
+        """Pickle the numbers, not their address, and the tables that they name."""
+        return NumberTable, (np.asarray(self.numbers), self.parts)
 
 
 #: Arrays of all tables by address, and by digest, while anyone holds them.
@@ -65,7 +85,10 @@ _KEEPERS: list[list[Numbers]] = []
 
 @contextmanager
 def tables_held() -> Iterator[None]:
-    """Context that holds all tables made within it: buffers know them by their addresses only."""
+    """Context that holds all tables made or asked for within it (`NumberTable.hold`).
+
+    Buffers know them by their addresses only.
+    """
     keeper: list[Numbers] = []
     _KEEPERS.append(keeper)
     try:
@@ -79,7 +102,8 @@ def number_at(table: float, k: int) -> float:
     return float(_TABLES[table][k])
 
 
-def _number_pointer(context: Any, builder: Any, address: Any, k: Any) -> Any:
+def number_pointer(context: Any, builder: Any, address: Any, k: Any) -> Any:
+    """Pointer to number ``k`` of a table, in code of the compiler."""
     whole = builder.fptoui(address, ir.IntType(64))
     base = builder.inttoptr(whole, ir.DoubleType().as_pointer())
     return builder.gep(base, [k])
@@ -88,7 +112,7 @@ def _number_pointer(context: Any, builder: Any, address: Any, k: Any) -> Any:
 @_intrinsic  # type: ignore[untyped-decorator]
 def _load_number(typing_context: Any, table: Any, k: Any) -> Any:
     def lower(context: Any, builder: Any, signature: Any, given: Any) -> Any:
-        return builder.load(_number_pointer(context, builder, *given))
+        return builder.load(number_pointer(context, builder, *given))
 
     return types.float64(types.float64, types.int64), lower
 

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from springback.contact.grids.form_copies import FORMS, place_forms
 from springback.errors import InputError
 from springback.results.database import in_database, parquet, pattern, sandbox
 from springback.results.flight import Flight
@@ -47,8 +48,10 @@ def load(folder: str | Path) -> Flight:
     path = folder / "trajectory.parquet"
     if path.name not in summary["files"]:
         raise InputError(f"{path}: is missing; fly the scenario again to have a trajectory")
-    for name in ("trajectory.parquet", "telemetry.parquet"):
+    for name in ("trajectory.parquet", "telemetry.parquet", FORMS):
         _check_file(folder / name, summary["files"])
+    if FORMS in summary["files"]:
+        place_forms(folder / FORMS)
     scenario = _scenario(folder / "summary.json", summary)
     columns, units = _table(path)
     _check(path, columns, _required_columns(scenario.vehicle))

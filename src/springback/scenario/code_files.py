@@ -26,11 +26,12 @@ NAMED_AT: tuple[tuple[str, ...], ...] = (
     ("pilot",), ("pilot", "code"), ("estimator", "code"), ("recovery", "detection", "own", "code"),
     ("world", "obstacles", "*", "shape"),
 )  # fmt: skip
-#: Where a scenario may name the file of a vehicle, or of thrusts.
+#: Where a scenario may name the file of a vehicle, or of thrusts; and of the form of an obstacle.
 FILES_AT: tuple[tuple[str, ...], ...] = (("vehicle",), ("vehicle", "preset"), ("thrust",))
 #: Where a scenario may name the files of obstacles, and folders with what these name.
 WORLDS_AT: tuple[tuple[str, ...], ...] = (
     ("world", "obstacles", "*", "file"), ("world", "obstacles", "*", "search", "*"),
+    ("world", "obstacles", "*", "shapes", "*", "file"),
 )  # fmt: skip
 
 

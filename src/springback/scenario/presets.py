@@ -9,6 +9,7 @@ from typing import Any
 
 from pydantic_core import PydanticCustomError
 
+from springback.contact.grids.data_files import content_digest
 from springback.contact.library import SURFACES
 from springback.errors import InputError, shown_value, within
 from springback.quantities import Unit
@@ -135,6 +136,11 @@ def obstacle_table(entry: Any) -> Any:
         if key in entry:
             with within(key):
                 own[key] = surface_table(entry[key])
+    if isinstance(entry.get("shapes"), list | tuple):
+        own["shapes"] = []
+        for k, shape in enumerate(entry["shapes"]):
+            with within("shapes", k):
+                own["shapes"].append(obstacle_table(shape))
     if entry.get("type") != "import":
         return {**entry, **own}
     if isinstance(patterns := entry.get("surfaces"), Mapping):
@@ -143,6 +149,31 @@ def obstacle_table(entry: Any) -> Any:
             with within("surfaces", pattern):
                 own["surfaces"][pattern] = surface_table(given)
     return read_import({**entry, **own})
+
+
+def with_contents(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Raw tables of a scenario in which the files of obstacles are named with their content.
+
+    A file that is changed later is then noticed.  One that cannot be read is left as it is, for the
+    check of the scenario.
+    """
+    world = given.get("world")
+    if not isinstance(world, Mapping) or not isinstance(world.get("obstacles"), list | tuple):
+        return dict(given)
+    return {**given, "world": {**world, "obstacles": [*map(_with_content, world["obstacles"])]}}
+
+
+def _with_content(entry: Any) -> Any:
+    if not isinstance(entry, Mapping):
+        return entry
+    if isinstance(entry.get("shapes"), list | tuple):
+        return {**entry, "shapes": [*map(_with_content, entry["shapes"])]}
+    if not isinstance(entry.get("file"), str) or "content" in entry:
+        return entry
+    try:
+        return {**entry, "content": content_digest(entry["file"])}
+    except PydanticCustomError:
+        return entry
 
 
 def read_thrusts(path: str | Path) -> dict[str, Any]:

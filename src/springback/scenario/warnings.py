@@ -20,7 +20,7 @@ APART = 0.2
 #: Yaw at the start of a run-up that is worth a warning [rad] (chosen: likewise).
 TURNED = 0.2
 #: Obstacles with plane faces only.
-FLAT = (*PLANES, "box", "edge", "slope", "stairs", "own")
+FLAT = (*PLANES, "box", "edge", "slope", "stairs", "net", "own")
 #: Tables that only the pilot of the paper reads.
 _PAPERS = ("reference", "control", "estimator", "recovery")
 

@@ -12,7 +12,7 @@ from springback.contact.obstacles import World
 from springback.dynamics.clearance import clearance
 from springback.dynamics.crossing import crossing, sooner, soonest, time_to
 from springback.dynamics.motion import LANDED, ArmView, Engaged, Motion, View
-from springback.dynamics.obstacle_views import faster, nearer, speed_beside, first_hit
+from springback.dynamics.obstacle_views import faster, first_hit, nearer, speed_beside
 from springback.dynamics.rigid import RigidRates, RigidState
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import field_of, fold, maximum, minimum, replace, select, tree_map

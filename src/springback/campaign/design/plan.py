@@ -16,7 +16,13 @@ from springback.quantities import Unit
 from springback.scenario.code_files import absolute_code, with_absolute_names
 from springback.scenario.files import place_of, read_scenario
 from springback.scenario.overrides import apply_overrides
-from springback.scenario.presets import is_vehicle_file, read_vehicle, thrust_of, vehicle_table
+from springback.scenario.presets import (
+    is_vehicle_file,
+    read_vehicle,
+    thrust_of,
+    vehicle_table,
+    with_contents,
+)
 from springback.scenario.source_text import json_tables, source_text, toml_tables
 from springback.settings import Name, Settings, problem
 from springback.studies.trials import Scatter
@@ -365,6 +371,7 @@ def with_scenario(plan: Plan, folder: Path, source: Source) -> Plan:
         tables = _scenario_tables(folder, plan.scenario, source)
     else:
         tables = with_absolute_names(plan.scenario, folder)
+    tables = with_contents(tables)
     vehicle = tables.get("vehicle")
     word = vehicle.get("preset") if isinstance(vehicle, dict) else vehicle
     if is_vehicle_file(word):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from springback.contact.scene.solids import vector_at
+from springback.contact.scene.sections import vector_at
 from springback.kernels.compiler import kernel, rare_kernel
 from springback.kernels.routines import number_at
 from springback.kernels.vectors import Vec

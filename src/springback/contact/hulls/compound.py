@@ -48,6 +48,7 @@ from springback.contact.scene.nearest import (
     solid_row,
     solids_within,
 )
+from springback.contact.scene.sections import Face, vector_at
 from springback.contact.scene.solids import (
     AXES,
     BOX,
@@ -57,12 +58,10 @@ from springback.contact.scene.solids import (
     GROUND,
     WIDTH,
     WINDOW,
-    Face,
     SolidForm,
     form_at,
     form_face,
     solid_face,
-    vector_at,
 )
 from springback.kernels.compiler import kernel, rare_kernel
 from springback.kernels.routines import Routine, call_routine, number_at

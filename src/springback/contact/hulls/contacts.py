@@ -13,10 +13,8 @@ from springback.contact.scene.faces import (
 from springback.contact.scene.nearest import (
     NearestSolids,
 )
-from springback.contact.scene.solids import (
-    GROUND,
-    vector_at,
-)
+from springback.contact.scene.sections import vector_at
+from springback.contact.scene.solids import GROUND
 from springback.contact.surfaces import Surface
 from springback.kernels.compiler import kernel
 from springback.kernels.routines import number_at

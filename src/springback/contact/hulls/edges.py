@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 from springback.contact.hulls.chords import Chord, chord_at
 from springback.contact.obstacles import outward_normal, signed_distance
 from springback.contact.rings import CLOSE, FAR, TRIES, TRUNCATION
-from springback.contact.scene.solids import Face
+from springback.contact.scene.sections import Face
 from springback.kernels.compiler import generic, kernel, rare_kernel
 from springback.kernels.routines import number_at
 from springback.kernels.vectors import Vec, within

@@ -50,10 +50,8 @@ from springback.contact.scene.nearest import (
     MOST_NEAR,
     nearest_of,
 )
-from springback.contact.scene.solids import (
-    solid_face,
-    vector_at,
-)
+from springback.contact.scene.sections import vector_at
+from springback.contact.scene.solids import solid_face
 from springback.kernels.compiler import kernel, rare_kernel
 from springback.kernels.routines import number_at
 from springback.kernels.vectors import Vec, larger, norm

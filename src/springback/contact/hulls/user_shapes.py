@@ -36,7 +36,7 @@ from springback.contact.obstacles import (
     signed_distance,
 )
 from springback.contact.rings import FAR
-from springback.contact.scene.solids import Face, vector_at
+from springback.contact.scene.sections import Face, vector_at
 from springback.kernels.compiler import generic, kernel, rare_kernel
 from springback.kernels.routines import number_at
 from springback.kernels.vectors import Mat3, Vec, transpose

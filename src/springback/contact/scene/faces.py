@@ -33,7 +33,6 @@ from springback.contact.obstacles import (
     Obstacle,
     Plane,
     obstacle_in_body_frame,
-    outward_normal,
     signed_distance,
 )
 from springback.contact.rings import FAR, LowPoint, lowest_on_ring, on_ring
@@ -49,28 +48,28 @@ from springback.contact.scene.nearest import (
     row_of_near,
     solids_within,
 )
+from springback.contact.scene.ring_views import along_ring, lowest_by_strides
+from springback.contact.scene.sections import Face, vector_at
 from springback.contact.scene.solids import (
     AXES,
     BOX,
     CENTRE,
+    GRID,
     GROUND,
+    HEIGHTS,
     KIND,
+    NET,
     ROUNDING,
     SIZES,
     SURFACE,
     WIDTH,
-    Face,
-    SolidForm,
-    form_at,
-    form_face,
     solid_face,
-    vector_at,
 )
 from springback.contact.surfaces import AnyExponent, AnyTangent, Surface
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.routines import Routine, call_routine, number_at
 from springback.kernels.trees import minimum, tree_map
-from springback.kernels.vectors import Mat3, Vec
+from springback.kernels.vectors import Mat3, Vec, norm
 from springback.vehicle.state import ArmPose, Sphere
 
 #: Faces that one part of a vehicle can meet at the same time: a corner has three.
@@ -190,9 +189,12 @@ def _on_plane(part: VehiclePart, plane: Plane) -> NearestFace:
 
 @kernel
 def _of_sphere(there: Face, radius: float) -> NearestFace:
-    """Face that a sphere meets, by the distance and normal at its centre, body axes."""
-    lever = there.normal * -radius
-    return simple_face(there.gap - radius, -there.normal, Support(lever, lever, lever, 0.0))
+    """Face that a sphere meets, by the distance and its gradient at its centre, body axes."""
+    steepness, none = norm(there.normal), Vec(0.0, 0.0, 0.0)
+    inward = there.normal * (-1.0 / steepness)
+    lever = inward * radius
+    at = Support(lever, lever, lever, 0.0)
+    return NearestFace(there.gap - radius, inward, at, steepness, none, none)
 
 
 @kernel
@@ -214,7 +216,7 @@ def _with_half_spaces(found: ThreeFaces, part: VehiclePart) -> ThreeFaces:
 
 @kernel
 def _ring_on_box(part: VehiclePart, row: int, centre: Vec) -> NearestFace:
-    """Face of a box over which the whole of a ring is; `FAR` if there is none."""
+    """Face of a box or net over which the whole of a ring is; `FAR` if there is none."""
     table, half, radius = part.table, vector_at(part.table, row + SIZES), part.radius
     relative = centre - vector_at(table, row + CENTRE)
     ex, ey = vector_at(table, row + AXES), vector_at(table, row + AXES + 3)
@@ -232,6 +234,11 @@ def _ring_on_box(part: VehiclePart, row: int, centre: Vec) -> NearestFace:
         if over_y & over_z & (u.x >= u.y) & (u.x >= u.z):
             n = ex if q.x > 0.0 else -ex
             return _on_face(part, row, n, half.x + edge)
+    if (number_at(table, row + KIND) == NET) & over_x & over_y:
+        # All of the ring is nearer to the face than to the sides, and not yet through.
+        low, aside = q.z - radius, u.x if u.x > u.y else u.y
+        if (low > -half.z) & (low >= aside + radius):
+            return _on_face(part, row, ez, 0.0)
     return no_face().nearest
 
 
@@ -240,50 +247,6 @@ def _on_face(part: VehiclePart, row: int, normal: Vec, height: float) -> Nearest
     """Face of a solid at some height above its centre [m], as part of a plane."""
     point = vector_at(part.table, row + CENTRE) + height * normal
     return _on_plane(part, _plane_in_body_frame(part, normal, point))
-
-
-class AlongRing(NamedTuple):
-    """A solid, viewed from a ring: points in the ring's plane, from its centre, in body axes."""
-
-    form: SolidForm
-    centre: Vec  # of the ring, in the solid's axes [m]
-    x: Vec  # body axes in the solid's axes
-    y: Vec
-    z: Vec
-
-
-@kernel
-def _along_ring(part: VehiclePart, row: int, centre: Vec) -> AlongRing:
-    table, r = part.table, part.r
-    relative = centre - vector_at(table, row + CENTRE)
-    ex, ey = vector_at(table, row + AXES), vector_at(table, row + AXES + 3)
-    ez = vector_at(table, row + AXES + 6)
-    ax, ay, az = ex @ r, ey @ r, ez @ r  # the solid's axes in body axes
-    return AlongRing(
-        form_at(table, row),
-        Vec(ex @ relative, ey @ relative, ez @ relative),
-        Vec(ax.x, ay.x, az.x),
-        Vec(ax.y, ay.y, az.y),
-        Vec(ax.z, ay.z, az.z),
-    )
-
-
-@kernel
-def _face_along_ring(view: AlongRing, point: Vec) -> Face:
-    return form_face(view.form, view.centre + view.x * point.x + view.y * point.y)
-
-
-@signed_distance.register(AlongRing)
-@kernel
-def _distance_along_ring(view: AlongRing, point: Vec) -> float:
-    return _face_along_ring(view, point).gap
-
-
-@outward_normal.register(AlongRing)
-@kernel
-def _normal_along_ring(view: AlongRing, point: Vec) -> Vec:
-    n = _face_along_ring(view, point).normal
-    return Vec(view.x @ n, view.y @ n, view.z @ n)
 
 
 @kernel
@@ -296,8 +259,12 @@ def _with_ring(
         whole = _ring_on_box(part, row, centre)
         if whole.gap < FAR:
             return _with_face(found, part.table, row, whole)
-        along, middle = _along_ring(part, row, centre), Vec(0.0, 0.0, 0.0)
-        lowest = lowest_on_ring(along, middle, part.radius, part.pose.direction)
+        along, middle = along_ring(part.table, row, centre, part.r), Vec(0.0, 0.0, 0.0)
+        lowest = (
+            lowest_by_strides(along, part.radius, part.pose.direction)
+            if (along.form.kind == GRID) | (along.form.kind == HEIGHTS)
+            else lowest_on_ring(along, middle, part.radius, part.pose.direction)
+        )
         if lowest.second.gap < FAR:
             found = _with_face(found, part.table, row, at_second_point(part.radius, lowest))
         return _with_face(found, part.table, row, at_low_point(part.radius, lowest.first))
@@ -321,7 +288,8 @@ def _row_at(part: VehiclePart, near: NearestSolids, low: LowPoint) -> int:
 def _tip_on_solid(part: VehiclePart, row: int, centre: Vec) -> NearestFace:
     """Face of one solid that the paper's contact point meets."""
     table, pose, position, r = part.table, part.pose, part.position, part.r
-    n = -(solid_face(table, row, centre).normal @ r)
+    slope = solid_face(table, row, centre).normal @ r
+    n = slope * (-1.0 / norm(slope))
     at = support(ArmTip(0.0), n, pose.direction, part.radius)
     point = position + r @ (pose.lever + at.point)
     return simple_face(solid_face(table, row, point).gap, n, at)

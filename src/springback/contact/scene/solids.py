@@ -13,6 +13,17 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
+from springback.contact.scene.grid_face import grid_face
+from springback.contact.scene.height_face import height_face
+from springback.contact.scene.sections import (
+    TINY,
+    Face,
+    PlanarFace,
+    profile,
+    rectangle,
+    sign,
+    vector_at,
+)
 from springback.kernels.compiler import kernel
 from springback.kernels.routines import number_at
 from springback.kernels.vectors import Vec
@@ -32,52 +43,9 @@ WINDOW = (
 )
 # height, and height of its centre
 ROUND_WINDOW = 6.0  # half width, half height, half thickness; radius of the opening, in the middle
-
-#: Length below which a direction is undefined [m].
-TINY = 1e-150
-
-
-class Face(NamedTuple):
-    """Distance of a point from a solid, and the outward normal there."""
-
-    gap: float  # [m]; negative inside
-    normal: Vec
-
-
-class PlanarFace(NamedTuple):
-    """Distance of a point from a shape in a plane, and its gradient."""
-
-    gap: float
-    x: float
-    y: float
-
-
-@kernel
-def vector_at(table: float, k: int) -> Vec:
-    """Three numbers of a table."""
-    return Vec(number_at(table, k), number_at(table, k + 1), number_at(table, k + 2))
-
-
-@kernel
-def _sign(x: float) -> float:
-    return 1.0 if x >= 0.0 else -1.0
-
-
-@kernel
-def _profile(a: float, b: float) -> PlanarFace:
-    """Quadrant a < 0 and b < 0: distance, and gradient along a and b."""
-    out_a, out_b = a if a > 0.0 else 0.0, b if b > 0.0 else 0.0
-    length = math.sqrt(out_a * out_a + out_b * out_b)
-    if length > TINY:
-        inverse = 1.0 / length
-        return PlanarFace(length, out_a * inverse, out_b * inverse)
-    return PlanarFace(a, 1.0, 0.0) if a > b else PlanarFace(b, 0.0, 1.0)
-
-
-@kernel
-def _rectangle(x: float, y: float, half_x: float, half_y: float) -> PlanarFace:
-    found = _profile(abs(x) - half_x, abs(y) - half_y)
-    return PlanarFace(found.gap, found.x * _sign(x), found.y * _sign(y))
+GRID = 7.0  # half lengths of a box around it; address of its numbers (`grid_face`)
+HEIGHTS = 8.0  # likewise; share of a height that is a distance, and reach (`height_face`)
+NET = 9.0  # half lengths of its face along x and y; depth of the body behind it, along −z
 
 
 @kernel
@@ -87,7 +55,7 @@ def _box(q: Vec, half: Vec) -> Face:
         u.x if u.x > 0.0 else 0.0, u.y if u.y > 0.0 else 0.0, u.z if u.z > 0.0 else 0.0
     )  # fmt: skip
     length = math.sqrt(out @ out)
-    sx, sy, sz = _sign(q.x), _sign(q.y), _sign(q.z)
+    sx, sy, sz = sign(q.x), sign(q.y), sign(q.z)
     if length > TINY:
         inverse = 1.0 / length
         return Face(length, Vec(sx * out.x * inverse, sy * out.y * inverse, sz * out.z * inverse))
@@ -154,11 +122,22 @@ def _torus(q: Vec, radius: float, tube: float) -> Face:
 
 
 @kernel
+def _net(q: Vec, half_x: float, half_y: float, depth: float) -> Face:
+    """A face, and the body behind it, out of which the way is through the face or the sides."""
+    section = rectangle(q.x, q.y, half_x, half_y)
+    if q.z < -depth:
+        below = profile(section.gap if section.gap > 0.0 else 0.0, -depth - q.z)
+        return Face(below.gap, Vec(below.x * section.x, below.x * section.y, -below.y))
+    found = profile(section.gap, q.z)
+    return Face(found.gap, Vec(found.x * section.x, found.x * section.y, found.y))
+
+
+@kernel
 def _plate(q: Vec, half_thickness: float, section: PlanarFace) -> Face:
     """A shape in the plane of x and y, of some thickness along z."""
-    found = _profile(section.gap, abs(q.z) - half_thickness)
+    found = profile(section.gap, abs(q.z) - half_thickness)
     return Face(
-        found.gap, Vec(found.x * section.x, found.x * section.y, found.y * _sign(q.z))
+        found.gap, Vec(found.x * section.x, found.x * section.y, found.y * sign(q.z))
     )  # fmt: skip
 
 
@@ -215,9 +194,15 @@ def _sharp_face(s: SolidForm, q: Vec) -> Face:
         return _frustum(q, s.a, s.b, s.c)
     if s.kind == TORUS:
         return _torus(q, s.a, s.b)
-    outline = _rectangle(q.x, q.y, s.a, s.b)
+    if s.kind == GRID:
+        return grid_face(q, Vec(s.a, s.b, s.c), s.d)
+    if s.kind == HEIGHTS:
+        return height_face(q, Vec(s.a, s.b, s.c), s.d, s.e, s.f)
+    if s.kind == NET:
+        return _net(q, s.a, s.b, s.c)
+    outline = rectangle(q.x, q.y, s.a, s.b)
     if s.kind == WINDOW:
-        return _plate(q, s.c, _cut(outline, _rectangle(q.x, q.y - s.f, s.d, s.e)))
+        return _plate(q, s.c, _cut(outline, rectangle(q.x, q.y - s.f, s.d, s.e)))
     return _plate(q, s.c, _cut(outline, _disc(q.x, q.y, s.d)))
 
 

@@ -24,8 +24,10 @@ from springback.contact.scene.solids import (
     CAPSULE,
     CENTRE,
     FRUSTUM,
+    GRID,
     GROUND,
     HALF_SPACE,
+    HEIGHTS,
     KIND,
     OWNER,
     ROUNDING,
@@ -43,6 +45,8 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 MOST_SOLIDS = 65_535
 #: Half length of what has no end, and coordinate of a box that is not there [m].
 ENDLESS, NOWHERE = 1e6, 1e9
+#: Kinds of solids whose form is in a table of its own, and where among their sizes its address is.
+WITH_TABLE, TABLE = (GRID, HEIGHTS), 3
 #: Boxes in the tree are larger than their solids by this, for rounding [m].
 MARGIN = 1e-9
 
@@ -92,13 +96,21 @@ def scene_of(
         surfaces: Those that the solids name by number.
         own: The user's own shapes beside them.
     """
-    return SolidScene(NumberTable(_numbers(solids, surfaces)), SCENE_FACES.address, own, 0.0)
+    numbers, order = _numbers(solids, surfaces)
+    parts = {
+        HEADER + WIDTH * row + SIZES + TABLE: solids[k].sizes[TABLE]
+        for row, k in enumerate(order)
+        if solids[k].kind in WITH_TABLE
+    }
+    shared = {place: table for place, table in parts.items() if isinstance(table, NumberTable)}
+    return SolidScene(NumberTable(numbers, shared), SCENE_FACES.address, own, 0.0)
 
 
-def _numbers(solids: Sequence[Solid], surfaces: Sequence[Surface]) -> Array:
-    flat = [solid for solid in solids if solid.kind == HALF_SPACE]
-    others = [solid for solid in solids if solid.kind != HALF_SPACE]
-    lows, highs = _corners(others)
+def _numbers(solids: Sequence[Solid], surfaces: Sequence[Surface]) -> tuple[Array, list[int]]:
+    """Numbers of a scene, and the solids in the order of their rows."""
+    flat = [k for k, solid in enumerate(solids) if solid.kind == HALF_SPACE]
+    others = [k for k, solid in enumerate(solids) if solid.kind != HALF_SPACE]
+    lows, highs = _corners([solids[k] for k in others])
     order = _tree_order(0.5 * (lows + highs))
     others = [others[k] for k in order]
     leaves = 1 << max(len(others) - 1, 0).bit_length()
@@ -108,9 +120,9 @@ def _numbers(solids: Sequence[Solid], surfaces: Sequence[Surface]) -> Array:
     head[NODES] = head[SOLID_ROWS] + WIDTH * len(others)
     nodes = _nodes(lows[order], highs[order], leaves)
     head[SURFACES] = head[NODES] + nodes.size
-    rows = [number for solid in (*flat, *others) for number in solid.row()]
+    rows = [number for k in (*flat, *others) for number in solids[k].row()]
     laws = [number for surface in surfaces for number in _surface_numbers(surface)]
-    return np.concatenate([head, rows, nodes.ravel(), laws])
+    return np.concatenate([head, rows, nodes.ravel(), laws]), [*flat, *others]
 
 
 def _surface_numbers(s: Surface) -> list[float]:

@@ -24,6 +24,8 @@ SWING_STEPS = 200
 
 #: Shapes of obstacles that have another name here.
 SHAPES = {"ball": "sphere", "door": "box"}
+#: Width and height of a net [m] (chosen).
+NET = (2.0, 1.0)
 
 
 def obstacle_of(settings: LabSettings) -> str:
@@ -53,6 +55,9 @@ def shape_table(s: LabSettings, face: float, height: float, surface: Any, turned
     if s.obstacle == "slope":
         angle, uphill = f"{digits(s.incline)} deg", f"{digits(turned)} deg"
         return made | {"position": [face, 0.0, height], "angle": angle, "uphill": uphill}
+    if s.obstacle == "net":
+        where = {"position": [face, aside, height], "size": list(NET), "yaw": yaw}
+        return {"type": "net", **where, "tension": s.tension}
     if s.obstacle == "edge":
         sizes = {"length": EDGE_LENGTH, "width": EDGE_WIDTH}
         return made | {"position": [face, aside, height], **sizes, "yaw": yaw}

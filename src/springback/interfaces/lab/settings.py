@@ -99,7 +99,8 @@ Obstacles = Annotated[
         "Obstacle",
         {
             "wall": "Wall or mat", "pole": "Pole", "edge": "Edge", "sphere": "Sphere",
-            "window": "Window", "slope": "Slope", "ball": "Swinging ball", "door": "Door",
+            "window": "Window", "slope": "Slope", "net": "Net", "ball": "Swinging ball",
+            "door": "Door",
         },
         "All but the wall are hit in free flight. The ball swings into the hovering robot; the "
         "door has a closer.",
@@ -231,13 +232,18 @@ class LabSettings(Settings):
         "slope", unit="deg", label="Angle of the slope", least=10.0, most=90.0, step=1.0,
         explains="From the horizontal; 90 deg is a wall.", path="world.obstacles.0.angle",
     )] = 45.0  # fmt: skip
+    tension: Annotated[float, _of_shapes(
+        "net", unit="N/m", label="Tension of the net", least=10.0, most=1000.0, step=1.0,
+        logarithmic=True, explains="Per width. The net is 2 m by 1 m, with its own surface.",
+        path="world.obstacles.0.tension",
+    )] = 100.0  # fmt: skip
     turn: Annotated[float, _of_shapes(
-        "edge", "window", unit="deg", label="Turned by", least=-60.0, most=60.0, step=1.0,
-        explains="About the vertical. At 0 the edge points at the robot, the window faces it.",
+        "edge", "window", "net", unit="deg", label="Turned by", least=-60.0, most=60.0, step=1.0,
+        explains="About the vertical. At 0 the edge points at the robot, window and net face it.",
         path="world.obstacles.0.yaw",
     )] = 0.0  # fmt: skip
     offset: Annotated[float, _of_shapes(
-        "pole", "edge", "sphere", "window", "ball", "door", label="Offset", least=-500.0,
+        "pole", "edge", "sphere", "window", "net", "ball", "door", label="Offset", least=-500.0,
         most=500.0, step=5.0, explains="To the left of the robot's way.",
         path="world.obstacles.0.position",
     )] = 0.0  # fmt: skip

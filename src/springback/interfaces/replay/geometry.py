@@ -12,10 +12,21 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.contact.forest import Forest
+from springback.contact.grids.measured_shapes import HeightMap, MeshBody, OccupancyGrid
+from springback.contact.nets import Net
 from springback.contact.parameters import Ground, Mat, Wall
+from springback.contact.scene.solids import HALF_SPACE
 from springback.contact.scene.table import ENDLESS, Solid
 from springback.contact.shapes import ShapeSettings, Slope, SolidShape, Stairs
+from springback.contact.unions import ShapeUnion
 from springback.contact.worlds import BuiltIn, Own
+from springback.interfaces.replay.form_meshes import (
+    cells_mesh,
+    heights_mesh,
+    in_place,
+    mesh_body_mesh,
+    net_mesh,
+)
 from springback.interfaces.replay.shape_meshes import (
     EndSpan,
     ShapeMesh,
@@ -96,7 +107,16 @@ def drawables(
     obstacles = [one for k, one in enumerate(all_built) if k not in follow]
     levels = [entry.height for entry in obstacles if isinstance(entry, Ground)]
     floor = max((z for z in levels if z <= flown[:, 2].min()), default=None)
-    planes = [one for one in obstacles if isinstance(one, Wall | Ground | Mat | Slope)]
+    planes: list[Wall | Ground | Mat | Slope | SolidShape] = [
+        one for one in obstacles if isinstance(one, Wall | Ground | Mat | Slope)
+    ]
+    planes += [
+        body
+        for one in obstacles
+        if isinstance(one, ShapeUnion)
+        for body in one.bodies()
+        if body.kind == HALF_SPACE
+    ]
     shapes = [one for one in obstacles if isinstance(one, ShapeSettings)]
     chosen = _near(shapes, np.concatenate([_sample(flown), _sample(near)]))
     bodies, notes = list(_meshes(chosen.parts, flown, floor)), list(chosen.notes)
@@ -124,14 +144,16 @@ def drawables(
     return DrawnWorld(tuple(things), tuple(notes))
 
 
-def _face(entry: Wall | Ground | Mat | Slope, flown: Array, floor: float | None) -> Drawable:
+def _face(
+    entry: Wall | Ground | Mat | Slope | SolidShape, flown: Array, floor: float | None
+) -> Drawable:
     """Rectangle of a face around the flight near it; a steep one extends down to the floor."""
-    thickness, close = 0.0, flown
+    thickness, close, slopes = 0.0, flown, isinstance(entry, Slope | SolidShape)
     if isinstance(entry, Ground):
         n, offset = np.array([0.0, 0.0, 1.0]), entry.height
     else:
-        if isinstance(entry, Slope):
-            [body] = entry.bodies()
+        if isinstance(entry, Slope | SolidShape):
+            [body] = [entry] if isinstance(entry, SolidShape) else entry.bodies()
             n, offset = body.axes[2], float(body.axes[2] @ body.centre)
         else:
             thickness = entry.thickness if isinstance(entry, Mat) else 0.0
@@ -140,12 +162,12 @@ def _face(entry: Wall | Ground | Mat | Slope, flown: Array, floor: float | None)
         heights = flown @ n
         close = flown[heights <= heights.min() + ROOM]
     centre, halves = n * offset, []
-    for axis in _axes(n, LEVEL if isinstance(entry, Slope) else LYING):
+    for axis in _axes(n, LEVEL if slopes else LYING):
         places = close @ axis
         low, high = float(places.min()) - ROOM, float(places.max()) + ROOM
         side = min(max(high - low, LEAST_SIDE), LARGEST_SIDE)
         middle = 0.5 * (low + high)
-        if floor is not None and axis[2] > (0.0 if isinstance(entry, Slope) else UPRIGHT):
+        if floor is not None and axis[2] > (0.0 if slopes else UPRIGHT):
             foot = (floor - n[2] * offset) / axis[2]
             down = middle + 0.5 * side - foot
             if down <= LARGEST_SIDE:
@@ -154,7 +176,8 @@ def _face(entry: Wall | Ground | Mat | Slope, flown: Array, floor: float | None)
         centre = centre + middle * axis
         halves.append(_floats(0.5 * side * axis))
     across, along = halves
-    return Drawable(entry.type, entry.type, _floats(centre), _floats(n), across, along, thickness)
+    word = "slope" if isinstance(entry, SolidShape) else entry.type
+    return Drawable(word, word, _floats(centre), _floats(n), across, along, thickness)
 
 
 def _floats(v: Array) -> tuple[float, ...]:
@@ -188,7 +211,10 @@ def _sample(points: Array) -> Array:
 
 def _near(shapes: Sequence[ShapeSettings], flown: Array) -> _NearShapes:
     """At most `MOST_DRAWN` solids, those nearest to a flight."""
-    parts = [(shape, shape.bodies()) for shape in shapes if not isinstance(shape, Slope)]
+    bounded = [
+        (shape, [body for body in shape.bodies() if body.kind != HALF_SPACE]) for shape in shapes
+    ]
+    parts = [(shape, found) for shape, found in bounded if found]
     bodies = [body for _, found in parts for body in found]
     if len(bodies) <= MOST_DRAWN:
         return _NearShapes(parts, ())
@@ -267,6 +293,16 @@ def _key(shapes: Iterable[ShapeSettings]) -> str:
 def _mesh(
     shape: ShapeSettings, bodies: Sequence[SolidShape], flown: Array, floor: float | None
 ) -> ShapeMesh:
+    if isinstance(shape, ShapeUnion):
+        return _union_mesh(shape, bodies, flown, floor)
+    if isinstance(shape, HeightMap):
+        return in_place(heights_mesh(shape), bodies[0])
+    if isinstance(shape, MeshBody):
+        return in_place(mesh_body_mesh(shape), bodies[0])
+    if isinstance(shape, OccupancyGrid):
+        return in_place(cells_mesh(shape), bodies[0])
+    if isinstance(shape, Net):
+        return net_mesh(bodies[0])
     if isinstance(shape, Stairs):
         return mesh_of(shape)
     if isinstance(shape, Forest):
@@ -277,6 +313,29 @@ def _mesh(
         mesh_of_body(body, _span(body, flown, floor) if ENDLESS in body.sizes else None)
         for body in bodies
     ])  # fmt: skip
+
+
+def _union_mesh(
+    shape: ShapeUnion, bodies: Sequence[SolidShape], flown: Array, floor: float | None
+) -> ShapeMesh:
+    """Meshes of the bodies of a union, those of measured forms by their shapes."""
+    owners = [one for one in shape.shapes for _ in one.bodies()]
+    chosen = {_place(body) for body in bodies}
+    found = []
+    for one, body in zip(owners, shape.bodies(), strict=True):
+        if _place(body) not in chosen:
+            continue
+        if isinstance(one, HeightMap | MeshBody | OccupancyGrid | Net):
+            found.append(_mesh(one, [body], flown, floor))
+        else:
+            span = _span(body, flown, floor) if ENDLESS in body.sizes else None
+            found.append(mesh_of_body(body, span))
+    return as_one(found)
+
+
+def _place(body: SolidShape) -> tuple[Any, ...]:
+    """Numbers that tell a body from others."""
+    return (body.kind, *body.centre.tolist(), *body.axes.ravel().tolist(), *body.sizes)
 
 
 def _span(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from importlib.util import find_spec
 from pathlib import Path
 
+from springback.contact.grids.form_copies import FORMS, write_forms
 from springback.files import write_json
 from springback.interfaces.output.folders import SUMMARY, output_folder
 from springback.interfaces.output.python_wording import python_words
@@ -14,7 +15,7 @@ from springback.results.sealed_json import file_digest, with_digest
 
 #: Files of a flight, which are removed when another one replaces it.
 FLIGHT_FILES = (
-    SUMMARY, "trajectory.parquet", "telemetry.parquet",
+    SUMMARY, "trajectory.parquet", "telemetry.parquet", FORMS,
     *(f"{name}.{kind}" for name in ("flight", "energy", "impact") for kind in ("png", "csv")),
 )  # fmt: skip
 
@@ -60,6 +61,7 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
             path = folder / f"{stem}.parquet"
             write_parquet(path, columns, {name: flight.units[name] for name in columns}, about)
             written.append(path)
+    written += write_forms(flight.scenario.world, folder)
     if figures:
         for stem, (picture, numbers) in _pictures(flight).items():
             written += [folder / f"{stem}.png", folder / f"{stem}.csv"]

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import asdict
 from typing import Any, NamedTuple
 
+from springback.contact.parameters import PlaneSettings
 from springback.interfaces.figures import flight
 from springback.interfaces.output.robots import ROBOTS
 from springback.interfaces.replay.scene import scene_of
@@ -332,7 +333,9 @@ def _method(results: SliderResults) -> Content:
     }
     if results.cases:
         scenario = results.cases[0].flight.scenario
-        surface = scenario.world.obstacles[0].surface
+        wall = scenario.world.obstacles[0]
+        assert isinstance(wall, PlaneSettings)
+        surface = wall.surface
         steps = [int(case.flight.measures["steps"] or 0) for case in results.cases]
         content |= {
             "arms": WORDS.say(scenario.model.arms), "point": scenario.model.contact_point,

@@ -1,0 +1,163 @@
+"""Grids of signed distances: made once for a mesh or an occupancy grid, and kept on disk."""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+import scipy  # submodules are loaded on first use
+
+from springback.contact.grids.closed_meshes import inside
+from springback.contact.grids.mesh_distance import SurfacePoints
+from springback.contact.grids.mesh_files import Triangles
+from springback.contact.scene.grid_face import COEFFICIENTS
+from springback.kernels.routines import NumberTable
+from springback.random_streams import Purpose, stream
+from springback.settings import problem
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+#: Most nodes of a grid: 8 B each, so 128 MB (chosen).
+MOST_NODES = 16_000_000
+#: Nodes of the grid of a mesh unless the length of its cells is given (chosen: it takes seconds).
+NODES = 400_000
+#: Cells around the body (chosen: the spline's coefficients then do not feel the border).
+ROOM = 4
+#: Nodes by which values are continued: the coefficients then do not feel their end (chosen).
+BEYOND = 12
+#: Points of the surface at which the error of a grid is measured (chosen).
+PROBES = 2000
+
+
+class DistanceGrid(NamedTuple):
+    """Signed distances at the nodes of a grid, as they are kept."""
+
+    low: Array  # the first node [m], shape (3,)
+    cell: float  # [m]
+    values: Array  # [m], shape (nodes along x, y, z)
+    error: Array  # near the surface: root of the mean square, and largest of some points [m]
+
+    @property
+    def half(self) -> Array:
+        """Half lengths of the box of its nodes [m]."""
+        return np.asarray(0.5 * self.cell * (np.array(self.values.shape) - 1))
+
+    @property
+    def centre(self) -> Array:
+        """Centre of that box [m]."""
+        return np.asarray(self.low + self.half)
+
+    def table(self) -> NumberTable:
+        """Its numbers for `springback.contact.scene.grid_face`."""
+        head = np.zeros(COEFFICIENTS)
+        head[:3], head[3], head[4] = self.values.shape, self.cell, 1.0 / self.cell
+        return NumberTable(np.concatenate([head, coefficients(self.values).ravel()]))
+
+
+def coefficients(values: Array) -> Array:
+    """Coefficients of the cubic B-spline through values at nodes, with one more on each side.
+
+    Beyond the nodes the values go on turned about the last one, so that a slope goes on, too.
+    """
+    room = [min(BEYOND, n - 1) for n in values.shape]
+    wide = np.pad(values, [(k, k) for k in room], mode="reflect", reflect_type="odd")
+    found = scipy.ndimage.spline_filter(wide, order=3, output=np.float64, mode="mirror")
+    return np.ascontiguousarray(found[tuple(slice(k - 1, 1 - k or None) for k in room)])
+
+
+def spline_values(spline: Array, places: Any) -> Array:
+    """Values of a spline by its `coefficients`; places are counted in nodes from the first."""
+    shifted = [np.asarray(one) + 1.0 for one in places]
+    return np.asarray(scipy.ndimage.map_coordinates(spline, shifted, order=3, prefilter=False))
+
+
+def cell_of(mesh: Triangles, nodes: int = NODES) -> float:
+    """Length of the cells of which a grid around a mesh has about so many nodes [m]."""
+    extent = np.ptp(mesh.vertices, axis=0)
+    cell = float((extent.prod() / nodes) ** (1.0 / 3.0))
+    for _ in range(20):  # the room around the body counts, too
+        cell = float(((extent + 2.0 * ROOM * cell).prod() / nodes) ** (1.0 / 3.0))
+    return cell
+
+
+def check_nodes(counts: Any, cell: float, field: str) -> None:
+    """Reject a grid that is too large.
+
+    Args:
+        counts: Nodes along x, y and z.
+        cell: Length of its cells [m].
+        field: What sets the number, for the message.
+    """
+    nodes = math.prod(int(n) for n in counts)
+    if nodes > MOST_NODES:
+        needed = cell * (nodes / MOST_NODES) ** (1.0 / 3.0)
+        raise problem(
+            f"gives a grid of {' x '.join(str(int(n)) for n in counts)} nodes, "
+            f"{8e-6 * nodes:.4g} MB; the most is {8e-6 * MOST_NODES:g} MB: cells of {needed:.3g} m "
+            f"or more (got {cell:.3g} m)",
+            field,
+        )
+
+
+def grid_of_mesh(mesh: Triangles, cell: float) -> DistanceGrid:
+    """Grid of a closed mesh.
+
+    Args:
+        mesh: In metres, faces anticlockwise from outside.
+        cell: Length of a cell [m].
+
+    Raises:
+        The problem, if it has too many nodes.
+    """
+    low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
+    counts = np.ceil((high - low) / cell).astype(int) + 1 + 2 * ROOM
+    check_nodes(counts, cell, "cell")
+    first = 0.5 * (low + high) - 0.5 * cell * (counts - 1)
+    axes = tuple(first[k] + cell * np.arange(counts[k]) for k in range(3))
+    nodes = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
+    surface = SurfacePoints(mesh, cell)
+    away = surface.grid_distances(nodes, cell)
+    values = np.where(inside(mesh, (axes[0], axes[1], axes[2])), -away, away)
+    grid = DistanceGrid(first, cell, values, np.zeros(2))
+    return grid._replace(error=_error(grid, surface))
+
+
+def _error(grid: DistanceGrid, surface: SurfacePoints) -> Array:
+    """Error at points of the surface: root of the mean square, and largest."""
+    random = stream(0, Purpose.POINTS)
+    points = surface.tree.data
+    chosen = points[random.integers(len(points), size=PROBES)]
+    found = spline_values(coefficients(grid.values), (chosen - grid.low).T / grid.cell)
+    return np.array([math.sqrt(float((found * found).mean())), float(np.abs(found).max())])
+
+
+def grid_of_cells(occupied: Any, cell: float, low: Array) -> DistanceGrid:
+    """Grid of occupied cells: its nodes are their centres.
+
+    The distance is that to the nearest cell of the other kind, as a box.
+
+    Args:
+        occupied: True or false, shape (cells along x, y, z).
+        cell: Length of a cell [m].
+        low: Lower corner of the first cell [m].
+
+    Raises:
+        The problem, if it has too many nodes, or no cell is occupied.
+    """
+    if not occupied.any():
+        raise problem("has no occupied cell", "file")
+    check_nodes(np.array(occupied.shape) + 2 * ROOM, cell, "file")
+    whole = np.pad(occupied, ROOM)
+    values = np.where(whole, -_to_cells(whole), _to_cells(~whole)) * cell
+    first = np.asarray(low, dtype=np.float64) + cell * (0.5 - ROOM)
+    return DistanceGrid(first, cell, values, np.array([math.nan, 0.5 * cell]))
+
+
+def _to_cells(away: Any) -> Array:
+    """Distance of the centres of some cells from the nearest of the others, in cells."""
+    nearest = scipy.ndimage.distance_transform_edt(
+        away, return_distances=False, return_indices=True
+    )
+    steps = np.abs(nearest - np.indices(away.shape))
+    return np.asarray(np.sqrt((np.maximum(steps - 0.5, 0.0) ** 2).sum(axis=0)))
