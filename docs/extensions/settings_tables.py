@@ -139,7 +139,7 @@ def default(field: TableField, unit: str) -> str:
     if field.required:
         return "*needed*"
     value = field.default
-    if value is None or isinstance(value, Settings) or value == ():
+    if value is None or isinstance(value, Settings) or value in ((), "", {}):
         return ""
     if isinstance(value, bool):
         return str(value).lower()

@@ -23,10 +23,9 @@ from springback.interfaces.cli.examples import examples, new
 from springback.interfaces.cli.fly import fly, pair
 from springback.interfaces.cli.lab import lab
 from springback.interfaces.cli.reproduce import reproduce
-from springback.interfaces.cli.show import doctor, show
+from springback.interfaces.cli.show import doctor, show, world
 from springback.interfaces.cli.study import study
 from springback.interfaces.cli.view import view
-from springback.interfaces.cli.world import world
 from springback.interfaces.output import interrupts
 from springback.version import __version__
 

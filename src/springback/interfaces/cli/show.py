@@ -1,14 +1,21 @@
-"""The commands ``springback show`` and ``springback doctor``."""
+"""The commands ``springback show``, ``springback doctor`` and ``springback world``."""
 
 from __future__ import annotations
 
+import math
 import sys
-from typing import Any
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import click
 
-from springback.interfaces.cli.common import Terminal, as_lines, say, terminal_options
+from springback.interfaces.cli.common import PATH, Terminal, as_lines, say, terminal_options
 from springback.interfaces.cli.completion import complete_preset
+
+if TYPE_CHECKING:
+    from springback.scenario.worlds.imported import Imported, NamedObstacle
 
 
 @click.command()
@@ -63,3 +70,183 @@ def doctor(terminal: Terminal) -> None:
     if not found["compiled_equals_python"]:
         say("compiled flights differ from plain Python: please report this")
         sys.exit(1)
+
+
+# -- worlds of other programs ---------------------------------------------------------------------
+
+#: Keys of obstacles that are shown, in this order.
+SHOWN = (
+    "position", "start", "end", "normal", "axis", "height", "size", "radius", "roll", "pitch",
+    "yaw", "file", "scale",
+)  # fmt: skip
+
+_OPTIONS = (
+    click.argument("file", type=PATH),
+    click.option("--search", multiple=True, type=PATH,
+                 help="Folder with what FILE includes, beside its own; may be repeated."),
+    click.option("--surface", default="wall", show_default=True,
+                 help="Preset of the surface of all elements."),
+    click.option("--surface-of", "surfaces", multiple=True, metavar="PATTERN=PRESET",
+                 help="Surface of elements whose names fit, such as 'shelf*=mat'."),
+    click.option("--bounds", is_flag=True, help="Make walls of the bounds of RotorPy's worlds."),
+)  # fmt: skip
+
+
+def _world_options(command: Callable[..., None]) -> Callable[..., None]:
+    for option in reversed(_OPTIONS):
+        command = option(command)
+    return command
+
+
+@click.group()
+def world() -> None:
+    """Worlds of other programs: what is in a file, and the same as obstacles in TOML.
+
+    FILE is a world or model in SDF (Gazebo), MJCF (MuJoCo), URDF, a world of RotorPy (.json), an
+    OctoMap (.bt, .ot), a mesh, a height map or an occupancy grid. A scenario imports it by an
+    obstacle of type import.
+    """
+
+
+@world.command("show")
+@_world_options
+@terminal_options("as_json", "quiet")
+def show_world(
+    file: Path, search: tuple[Path, ...], surface: str, surfaces: tuple[str, ...], bounds: bool,
+    terminal: Terminal,
+) -> None:  # fmt: skip
+    """Show what is in FILE: each element, what it becomes, and what cannot be represented.
+
+    \b
+    springback world show warehouse.sdf
+    springback world show iris.world --search ../models
+    """
+    found = _read(file, search, surface, surfaces, bounds)
+    data = {
+        "elements": [
+            {"name": part.name, **part.obstacle.model_dump(mode="json", exclude_none=True)}
+            for part in found.parts
+        ],
+        "not_represented": found.unrepresented,
+        "remarks": found.remarks,
+        "ignored": found.ignored,
+    }
+    terminal.print(data, "\n".join(_lines(found)))
+    terminal.note(_summary(found))
+
+
+@world.command()
+@_world_options
+@click.option("--out", type=PATH, required=True, help="File of obstacles in TOML to write.")
+@click.option("--missing", type=click.Choice(["warn", "refuse"]), default="warn",
+              show_default=True, help="If something cannot be represented.")  # fmt: skip
+@terminal_options("force", "quiet")
+def convert(
+    file: Path, search: tuple[Path, ...], surface: str, surfaces: tuple[str, ...], bounds: bool,
+    out: Path, missing: str, force: bool, terminal: Terminal,
+) -> None:  # fmt: skip
+    """Write FILE as obstacles of a scenario in TOML, each with its name as a comment.
+
+    An OctoMap can be written as an occupancy grid, too, if the file of --out ends in .npz.
+
+    \b
+    springback world convert warehouse.sdf --out obstacles.toml --surface-of 'shelf*=mat'
+    springback world convert lab.bt --out lab.npz
+    """
+    from springback.errors import InputError
+    from springback.files import write_atomically
+    from springback.scenario.worlds.toml_text import world_toml
+
+    if out.exists() and not force:
+        raise InputError(f"{out}: exists; give --force to replace it")
+    if out.suffix == ".npz":
+        _write_cells(file, out)
+        terminal.note(f"written to {out}, for an obstacle of type occupancy")
+        return
+    found = _read(file, search, surface, surfaces, bounds, missing)
+    write_atomically(out, world_toml(found, out.absolute().parent))
+    for line in found.unrepresented:
+        say(f"warning: not represented: {line}")
+    terminal.note(f"{_summary(found)}; written to {out}")
+
+
+def _write_cells(file: Path, out: Path) -> None:
+    """Write an OctoMap as an occupancy grid."""
+    import io
+
+    import numpy as np
+
+    from springback.errors import InputError
+    from springback.files import write_atomically
+    from springback.scenario.worlds.octomap import occupancy_arrays
+
+    if file.suffix.lower() not in (".bt", ".ot"):
+        raise InputError(f"{out}: only an OctoMap (.bt, .ot) becomes an occupancy grid")
+    held = io.BytesIO()
+    np.savez_compressed(held, **occupancy_arrays(file))
+    write_atomically(out, held.getvalue())
+
+
+def _read(
+    file: Path, search: tuple[Path, ...], surface: str, surfaces: tuple[str, ...], bounds: bool,
+    missing: str = "warn",
+) -> Imported:  # fmt: skip
+    from springback.errors import InputError
+    from springback.scenario.worlds.toml_text import read_world
+
+    named: dict[str, Any] = {}
+    for word in surfaces:
+        pattern, sign, preset = word.rpartition("=")
+        if not sign or not pattern:
+            raise InputError(f"--surface-of {word!r}: must be PATTERN=PRESET, such as 'shelf*=mat'")
+        named[pattern] = preset
+    return read_world(
+        file, surface=surface, surfaces=named, search=search, bounds=bounds, missing=missing
+    )
+
+
+def _lines(found: Imported) -> list[str]:
+    """Elements and what is wrong with others, a line each."""
+    width = max((len(part.name) for part in found.parts), default=0)
+    lines = [
+        f"{part.name:<{width}}  {part.obstacle.type:<8}  {_numbers(part)}".rstrip()
+        for part in found.parts
+    ]
+    for title, words in (
+        ("not represented:", found.unrepresented),
+        ("represented differently:", found.remarks),
+    ):
+        if words:
+            lines += ["", title, *(f"  {word}" for word in words)]
+    if found.ignored:
+        lines += ["", f"nothing can hit: {', '.join(found.ignored)}"]
+    return lines
+
+
+def _numbers(part: NamedObstacle) -> str:
+    """Place and sizes of an obstacle in words [m]."""
+    words = []
+    for key in SHOWN:
+        value = getattr(part.obstacle, key, None)
+        if value is None or (key in ("roll", "pitch", "yaw") and not value):
+            continue
+        shown = value if isinstance(value, str) else _number_text(value)
+        if key in ("roll", "pitch", "yaw"):
+            shown = f"{math.degrees(value):.5g} deg"
+        words.append(f"{key} {shown}")
+    friction = getattr(getattr(part.obstacle, "surface", None), "friction", None)
+    return ", ".join(words + ([] if friction is None else [f"friction {friction:g}"]))
+
+
+def _number_text(value: Any) -> str:
+    if isinstance(value, tuple | list):
+        return f"({' '.join(f'{x:.5g}' for x in value)})"
+    return f"{value:.5g}"
+
+
+def _summary(found: Imported) -> str:
+    """Counts in a sentence."""
+    kinds = Counter(part.obstacle.type for part in found.parts)
+    shown = ", ".join(f"{count} {kind}" for kind, count in kinds.items())
+    missing = len(found.unrepresented)
+    return f"{len(found.parts)} elements ({shown}), {missing} not represented"
