@@ -191,6 +191,7 @@ EDGED = [
 ]  # fmt: skip
 
 
+@pytest.mark.filterwarnings("ignore::springback.errors.LedgerWarning")  # at the default step
 @pytest.mark.parametrize(("hull", "shape"), EDGED)
 def test_the_ledger_closes_as_steps_become_shorter(hull: str, shape: str) -> None:
     """Where contact jumps from one edge to another the force does, not its work.
