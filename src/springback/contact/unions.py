@@ -51,6 +51,7 @@ class ShapeUnion(AttitudeSettings, ShapeSettings):
     surface: SurfaceSettings | None = None
     """Of the shapes that have none of their own."""
     shapes: tuple[Annotated[SingleShape, Field(discriminator="type")], ...]
+    """Its parts, placed within it."""
 
     @model_validator(mode="before")
     @classmethod

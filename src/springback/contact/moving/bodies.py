@@ -1,15 +1,16 @@
 """Obstacles that move as rigid bodies: their motions, and where they are at an instant.
 
 A body has axes of its own, which are those of the world at time 0.  Its solids are fixed in them.
-The kinds of motion are numbers, so that bodies of all kinds are one structure to the compiler:
+The kinds of motion are numbers, so that bodies of all kinds are one structure to the compiler.
 
-* given (`GIVEN`): position and angle about a fixed axis are functions of time,
-  x = x₀ + V t + A sin(ω t + φ) and θ = Ω t + B sin(ω t + φ), plus cubic splines through a table;
-* free (`FREE`): Newton–Euler equations about the centre of mass;
-* on a pivot (`PIVOTED`): it turns about a point of the world, like a ball on a rod;
-* hinged (`HINGED`): it turns about an axis through that point, like a door, with a closer: a
-  torsion spring and damper, and stops at both ends of its way;
-* carried (`CARRIED`): a part of a second vehicle, which is where that is.
+A given motion (`GIVEN`) is a function of time.  A free body (`FREE`) obeys the Newton–Euler
+equations about its centre of mass.  One on a pivot (`PIVOTED`) turns about a point of the world,
+like a ball on a rod; one on a hinge (`HINGED`) about an axis, like a door with a closer, which is a
+torsion spring and damper, and with stops at both ends.  A carried one (`CARRIED`) is part
+of a second vehicle, and is where that is.
+
+Given motions are x = x₀ + V t + A sin(ω t + φ) and θ = Ω t + B sin(ω t + φ), plus cubic splines
+through a table.
 
 Of its `springback.vehicle.state.BodyState` a body uses only what its motion leaves open.  Where it
 is given, that is the time, which is integrated like everything else: position and velocity are then

@@ -47,6 +47,7 @@ class ConstantMotion(_GivenMotion):
 
     type: Literal["constant"]
     velocity: Velocity = NOWHERE
+    """Of the obstacle, world axes."""
     turning: Turning = 0.0
     """Angular speed about `axis`, right-handed."""
 
@@ -56,10 +57,13 @@ class SineMotion(_GivenMotion):
 
     type: Literal["sine"]
     amplitude: Place = NOWHERE
+    """Of its place, world axes."""
     swing: Angle = 0.0
     """Amplitude of the angle about `axis`."""
     frequency: Annotated[float, Unit("Hz", above=0.0)]
+    """f, of place and angle."""
     phase: Angle = 0.0
+    """φ, of place and angle."""
 
 
 class TableMotion(_GivenMotion):
@@ -91,6 +95,7 @@ class _MassiveMotion(Settings):
     """What obstacles with mass have; unless given, the inertia is that of uniform density."""
 
     mass: Mass
+    """Of the whole obstacle."""
     inertia: Inertia | None = None
     """About the centre of mass along the world's axes at the start, products zero; unless it is
     given, that of uniform density."""
@@ -101,8 +106,9 @@ class FreeMotion(_MassiveMotion):
 
     type: Literal["free"]
     velocity: Velocity = NOWHERE
+    """Of its centre of mass at the start, world axes."""
     angular_velocity: Spin = NOWHERE
-    """World axes."""
+    """At the start, world axes."""
 
 
 class PendulumMotion(_MassiveMotion):
@@ -110,6 +116,7 @@ class PendulumMotion(_MassiveMotion):
 
     type: Literal["pendulum"]
     pivot: Place
+    """Point about which it turns."""
     angular_velocity: Spin = NOWHERE
     """About the pivot, world axes."""
     damping: AngularDamping = 0.0
@@ -131,7 +138,9 @@ class HingeMotion(_MassiveMotion):
     turning: Turning = 0.0
     """Angular speed at the start, about `axis`."""
     closer: AngularStiffness = 0.0
+    """k of the closer."""
     damping: AngularDamping = 0.0
+    """c of the closer."""
     rest: Angle = 0.0
     """Angle at which the closer is relaxed."""
     lowest: Angle = -math.pi
@@ -139,6 +148,7 @@ class HingeMotion(_MassiveMotion):
     highest: Angle = math.pi
     """Angle of the stop against turning forwards."""
     stop_stiffness: AngularStiffness = STOP
+    """Of both stops."""
 
     @model_validator(mode="after")
     def _is_a_hinge(self) -> HingeMotion:
