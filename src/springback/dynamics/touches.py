@@ -60,9 +60,7 @@ class Engaged(NamedTuple):
 
     arms: tuple[tuple[float, ...], ...]  # the cage of each arm
     hull: tuple[tuple[float, ...], ...]  # of the main body
-    bodies: tuple[
-        float, ...
-    ] = ()  # of moving obstacles, as bits
+    bodies: tuple[float, ...] = ()  # of moving obstacles, as bits
 
 
 class Contact(NamedTuple):
