@@ -25,6 +25,7 @@ from springback.interfaces.output.folders import output_folder
 from springback.interfaces.replay.geometry import Drawable
 from springback.interfaces.replay.scene import Scene, scene_of
 from springback.interfaces.replay.shape_meshes import mesh_of
+from springback.interfaces.replay.tracks import turned_by
 from springback.interfaces.reports.flight_files import write_flight
 from springback.results.flight import fly
 from springback.scenario.scenario import scenario_from
@@ -86,7 +87,7 @@ def test_a_pose_is_the_flight(scene: Scene) -> None:
 
 def test_attitudes_turn_the_way_the_house_does() -> None:
     half = math.radians(15.0)
-    nose_down = bodies.rotation(np.array([math.cos(half), 0.0, math.sin(half), 0.0]))
+    nose_down = turned_by(np.array([math.cos(half), 0.0, math.sin(half), 0.0]))
     assert nose_down @ [1.0, 0.0, 0.0] == pytest.approx([math.cos(2 * half), 0.0, -0.5])
 
 
