@@ -159,7 +159,7 @@ def curves(flight: Flight, scene: Scene) -> Iterable[Series]:
 def energy_series(energies: dict[str, Any], places: Any) -> Iterable[Series]:
     """The energy balance as series: its significant parts, in stacking order.
 
-    The input by rotors and height is not a part of its own: it is the sum of all parts.
+    What rotors, height and moving obstacles put in is no part of its own: it is the sum of all.
     """
     most = max(float(np.max(np.abs(energies[name]))) for name in PARTS)
     for name, words in PARTS.items():

@@ -1,4 +1,4 @@
-/*! springback, MIT licence; sources 7aa6effc70bb0afe6bbe0b762ef684f30d6ae5b8a00395a24aa6470e578bf0a1
+/*! springback, MIT licence; sources 5c900ec07181e9d16207b20ed8078cdc38618d0270e737f4c6a220c1c946d3d2
 
 It holds:
 
