@@ -58,7 +58,8 @@ def ledger_balance(work: Any, before: Any, after: Any) -> LedgerBalance:
         after: `springback.dynamics.energy.Energy` at the end, likewise.
     """
     w, ground = work, before.gravity
-    start, end = before.total - ground, after.total - ground
+    held = ground + before.obstacles  # height and obstacles count from the start
+    start, end = before.total - held, after.total - held
     driven, in_obstacles = np.zeros_like(start), np.zeros_like(start)
     for body in w.bodies:
         in_obstacles = in_obstacles + body.joint + body.contact + body.friction
