@@ -45,6 +45,7 @@ class Pressed:
     guide: Free = FREE
     air: Still = STILL
     thrust: tuple[float, ...] = OFF
+    pushes: tuple[()] = ()
 
     @property
     def bound(self) -> float:
