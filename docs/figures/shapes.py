@@ -121,11 +121,13 @@ def outlines(canvas: Array, depth: Array, normals: Array) -> None:
 def main(folder: Path) -> None:
     """Draw all."""
     with plt.style.context(STYLES[-1]):
-        figure, axes = plt.subplots(3, 4, figsize=(8.0, 5.6), layout="none")
-        for ax, (name, obstacles) in zip(axes.flat, examples().items(), strict=True):
+        shown = examples()
+        figure, axes = plt.subplots(-(-len(shown) // 5), 5, figsize=(9.0, 5.2), layout="none")
+        for ax in axes.flat:
+            ax.axis("off")
+        for ax, (name, obstacles) in zip(axes.flat, shown.items(), strict=False):
             ax.imshow(picture(obstacles))
             ax.set_title(name, fontsize=10)
-            ax.axis("off")
         figure.subplots_adjust(0.005, 0.005, 0.995, 0.95, wspace=0.03, hspace=0.14)
         figure.savefig(folder / "shapes.png", dpi=150)
         plt.close(figure)

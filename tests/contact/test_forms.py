@@ -149,7 +149,7 @@ def test_the_spline_passes_through_the_heights() -> None:
     """At every point of the grid the distance is zero."""
     shape, along = FORMS["heightmap"], np.linspace(-0.9, 0.9, 19)
     for x in nonempty(along[::6]):
-        for y in along[::3]:
+        for y in nonempty(along[::3]):
             gap, _ = face(shape, local(shape, np.array([x, y, hills(x, y)])))
             assert abs(gap) < 1e-12
 

@@ -91,7 +91,7 @@ def test_the_oracle_is_that_of_distance3d() -> None:
         for one in (rod, branch, ball)
     }
     axis = np.array(rod.axis) / math.sqrt(6.0)
-    for k, c in enumerate(poses.centre):
+    for k, c in nonempty(enumerate(poses.centre)):
         turned = poses.turn[k]
         circle = (c, geometry.RADIUS, np.ascontiguousarray(turned[:, 2]))
         if box[k] > 0.0:

@@ -90,7 +90,7 @@ def test_both_see_the_same_in_the_frame_of_the_other() -> None:
     moved = fly_pair(
         tables(**{**first, "speed": 2.5}), tables(**{**second, "speed": 0.0}), surface=SURFACE
     )
-    for one, other in zip(still, moved, strict=True):
+    for one, other in nonempty(zip(still, moved, strict=True)):
         for name in ("impact_peak_acceleration", "impulse_x", "touch_time", "touch_speed"):
             assert one.measures[name] == pytest.approx(other.measures[name], rel=1e-6), name
 
@@ -100,7 +100,7 @@ def test_apart_they_fly_alone() -> None:
     common: dict[str, Any] = {"gravity": 9.81, "duration": 0.1, "reference": {"type": "hold"}}
     tables_of = [tables(x, 0.0, z=2.0, seed=k, **common) for k, x in enumerate((0.0, 5.0))]
     together = fly_pair(*tables_of)
-    for flight, each in zip(together, nonempty(tables_of), strict=True):
+    for flight, each in nonempty(zip(together, tables_of, strict=True)):
         alone = fly(each)
         for axis in "xyz":  # steps as one rigid body alone, full ones together
             assert flight.columns[axis][-1] == pytest.approx(alone.columns[axis][-1], abs=1e-9)

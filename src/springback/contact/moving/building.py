@@ -158,7 +158,7 @@ def _path(motion: ConstantMotion | SineMotion | TableMotion, start: Vec) -> Give
 
 
 def _spline(motion: TableMotion) -> NumberTable:
-    """Table of cubic splines at rest at both ends; see `springback.contact.moving.bodies.spline_point`."""
+    """Table of cubic splines; see `springback.contact.moving.bodies.spline_point`."""
     count = len(motion.time)
     values = np.zeros((count, 4))
     if motion.position is not None:
