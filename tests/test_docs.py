@@ -366,6 +366,8 @@ def test_built_in_shapes_are_all_on_their_page_with_their_fields_and_defaults() 
         named = set(re.findall(r"`(\w+)`", row.split("|")[1]))
         named |= {name for word, names in groups.items() if word in row for name in names}
         assert named == set(found) - {"type", "surface", "motion", "content"}, kind
+        if kind in of_files:  # what stands in brackets there is what a file holds
+            continue
         for name, field in found.items():
             told = re.search(rf"`{name}` \(([^)]*)\)", row)
             if told is None:
