@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from abc import abstractmethod
 from functools import lru_cache
 from typing import Annotated, Any, Literal, NamedTuple
 
@@ -113,9 +114,9 @@ def _grid_form(grid: DistanceGrid) -> GridForm:
 class GridShape(FormShape):
     """A shape of which a grid holds the distance."""
 
+    @abstractmethod
     def form(self) -> GridForm:
         """Its numbers."""
-        raise NotImplementedError
 
     def bodies(self) -> list[SolidShape]:
         """Its solids."""
