@@ -16,12 +16,14 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from springback.contact.cage import ArmTip, Ring
+from springback.contact.moving.scene import MovingScene
 from springback.contact.obstacles import Forces, Impulses, Obstacle, Plane, World
 from springback.contact.surfaces import BothTangents, Surface, ThreeHalves, VerticalTangent
 from springback.contact.worlds import obstacles
 from springback.dynamics.air import Still
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import Free, Rates, Slider, rates
+from springback.dynamics.moving_obstacles import flown_scene
 from springback.kernels.vectors import Mat3, Quat, Vec
 from springback.scenario.model import bodies_at_start
 from springback.simulation.flight import FlightRecord, fly_one
@@ -177,7 +179,9 @@ def world_of(scene: Scene) -> World:
     """The package's world of a scene."""
     if scene.solids:
         settings = [solid.shape for solid in scene.solids]
-        return World(obstacles(settings), Forces(0.0), scene.gravity)
+        built = obstacles(settings)
+        built = flown_scene(built) if isinstance(built, MovingScene) else built
+        return World(built, Forces(0.0), scene.gravity)
     wall = scene.wall
     axes = BothTangents(0.0) if scene.friction_axes == "both" else VerticalTangent(0.0)
     surface = Surface(

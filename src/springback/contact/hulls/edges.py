@@ -189,6 +189,22 @@ class Strip(NamedTuple):
     high: float
 
 
+@kernel
+def _within_strip(chord: Chord, strip: Strip) -> Chord:
+    """The part of a chord in a strip; of one beside the strip, its end that is nearer."""
+    low, low_slope = chord.low, chord.low_slope
+    if low < strip.low:
+        low, low_slope = strip.low, 0.0
+        if low > chord.high:
+            low, low_slope = chord.high, chord.high_slope
+    high, high_slope = chord.high, chord.high_slope
+    if high > strip.high:
+        high, high_slope = strip.high, 0.0
+        if high < chord.low:
+            high, high_slope = chord.low, chord.low_slope
+    return Chord(low, high, low_slope, high_slope, chord.first, chord.last)
+
+
 @rare_kernel
 def _along_chord(shape: Any, face: FlatFace, s: float, strip: Strip) -> EdgePoint:
     """Lowest point of a chord of a face above a shape, `FAR` if the chord is none.
@@ -202,11 +218,7 @@ def _along_chord(shape: Any, face: FlatFace, s: float, strip: Strip) -> EdgePoin
         s: Place of the chord, along the face's first axis from its middle [m].
         strip: The part of the face.
     """
-    chord = chord_at(face.table, face.row, s)
-    if chord.low < strip.low:
-        chord = Chord(strip.low, chord.high, 0.0, chord.high_slope, chord.first, chord.last)
-    if chord.high > strip.high:
-        chord = Chord(chord.low, strip.high, chord.low_slope, 0.0, chord.first, chord.last)
+    chord = _within_strip(chord_at(face.table, face.row, s), strip)
     a = face.middle + s * face.x + chord.low * face.y
     b = face.middle + s * face.x + chord.high * face.y
     along = b - a
