@@ -260,7 +260,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     });
     actors.forEach((actor) => {
       actor.movers = actor.flight.bodies.map((track, k) => new Mover(track, actor.flight.obstacles.filter((one) => one.track === k), colours, ground));
-      actor.group.add(...actor.movers.map((mover) => mover.group));
+      for (const mover of actor.movers) actor.group.add(mover.group);
     });
     state.box = boxes.clone();
     if (ground === null) {

@@ -53,8 +53,12 @@ def test_a_vehicle_flies_into_its_wall_with_one_spring_at_work() -> None:
 
 def test_a_vehicle_file_has_every_number_that_a_vehicle_has() -> None:
     new("vehicle", "hexa")
-    given = tomllib.loads(Path("hexa.toml").read_text())["vehicle"]
+    text = Path("hexa.toml").read_text()
+    given = tomllib.loads(text)["vehicle"]
     for name, field in nonempty(fields_of(Vehicle).items()):
+        if name == "hulls":  # of any number, mostly none
+            assert "[[vehicle.hulls]]" in text
+            continue
         assert name in given
         for table in field.tables:
             assert given[name].keys() == fields_of(table).keys()

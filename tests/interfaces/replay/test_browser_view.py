@@ -236,7 +236,10 @@ def test_sum_and_parts_of_contact_forces_go_by_different_names(driver: Any, page
     """Arrows are of single cages with friction; the number beside them is their sum as vectors."""
     opened(driver, page, "#camera=impact")
     driver.execute_script("document.querySelector('.event.peak').click()")
-    assert "contact force on a cage" in driver.find_element("css selector", ".scene-legend").text
+    assert (
+        "contact force, each at its point"
+        in driver.find_element("css selector", ".scene-legend").text
+    )
     rows = driver.find_elements("css selector", ".readouts tbody tr")
     [cells] = [
         row.text for row in rows if row.text.startswith("contact force, sum of all contacts")
