@@ -18,6 +18,8 @@ if TYPE_CHECKING:
     from springback.campaign.design.plan import Plan as Plan
     from springback.campaign.errors import CampaignError as CampaignError
     from springback.campaign.running import run_campaign as run_campaign
+    from springback.contact.laws.restitution import dissipation_for as dissipation_for
+    from springback.contact.laws.restitution import restitution as restitution
     from springback.contact.library import MAT as MAT
     from springback.contact.library import WALL as WALL
     from springback.contact.obstacles import outward_normal as outward_normal
@@ -26,8 +28,6 @@ if TYPE_CHECKING:
     from springback.contact.parameters import Mat as Mat
     from springback.contact.parameters import SurfaceSettings as SurfaceSettings
     from springback.contact.parameters import Wall as Wall
-    from springback.contact.restitution import dissipation_for as dissipation_for
-    from springback.contact.restitution import restitution as restitution
     from springback.errors import InputError as InputError
     from springback.interfaces.figures.plot import plot as plot
     from springback.kernels.compiler import kernel as kernel

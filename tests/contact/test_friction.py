@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from builders.scenes import surface
-from springback.contact import cage
+from springback.contact import surfaces
 from springback.contact.surfaces import Surface
 from springback.contact.surfaces import friction_force as friction_of
 from springback.kernels.vectors import Vec, norm
@@ -24,7 +24,7 @@ loads = st.floats(0.0, 500.0)
 
 def slip_velocity(law: Surface, velocity: Vec, normal: Vec) -> Vec:
     """Slip in world axes."""
-    return cage.slip_velocity(law, velocity, normal, Vec(0.0, 0.0, 1.0))
+    return surfaces.slip_velocity(law, velocity, normal, Vec(0.0, 0.0, 1.0))
 
 
 def friction_force(law: Surface, load: float, slip: Vec) -> Vec:

@@ -14,8 +14,8 @@ from builders.user_obstacles import Pole
 from springback.batch.scenarios import fly_scenarios
 from springback.contact.cage import FAR, CageContact
 from springback.contact.hull_contact import hull_contact, hull_faces
+from springback.contact.laws.restitution import restitution
 from springback.contact.obstacles import Obstacle, Plane, SecondContact
-from springback.contact.restitution import restitution
 from springback.control.runup import reach
 from springback.errors import InputError
 from springback.kernels.vectors import Vec

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
 from builders.scenes import FACE, approaching, one_arm, surface
-from springback.contact.restitution import dissipation_for, restitution
+from springback.contact.laws.restitution import dissipation_for, restitution
 from springback.errors import InputError
 from springback.simulation.flight import fly_one
 

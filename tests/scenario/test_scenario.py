@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from springback.contact.restitution import restitution
+from springback.contact.laws.restitution import restitution
 from springback.errors import InputError
 from springback.results.flight import as_scenario, fly
 from springback.scenario.warnings import scenario_warnings

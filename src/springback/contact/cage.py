@@ -10,6 +10,14 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
+from springback.contact.laws.bristles import (
+    BristleRate,
+    RollingResistance,
+    Rubbing,
+    bristle_rate,
+    friction_by_bristles,
+    rolling_resistance,
+)
 from springback.contact.obstacles import (
     Obstacle,
     Plane,
@@ -25,11 +33,11 @@ from springback.contact.step_bounds import (
     contact_stiffness,
     friction_damping,
 )
-from springback.contact.surfaces import Surface, friction_force, normal_force, rubbing
+from springback.contact.surfaces import Surface, friction_force, normal_force, slip_velocity
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import fold, minimum, tree_map
 from springback.kernels.vectors import Mat3, Vec, larger, norm, rotation
-from springback.vehicle.state import ArmPose, BodyState, Sphere, State
+from springback.vehicle.state import ArmPose, BodyState, Bristles, Sphere, State
 
 #: A gap closer to zero than this counts as zero [m].
 LANDED = 1e-9
@@ -161,13 +169,7 @@ class CageContact(NamedTuple):
     surface: Surface
     touch: ContactLoad
     moving: tuple[FaceMotion, ...]  # as of its `ContactFace`
-
-
-@kernel
-def slip_velocity(surface: Surface, velocity: Vec, normal: Vec, vertical: Vec) -> Vec:
-    """VehiclePart of a velocity along the surface that friction opposes [m/s]."""
-    slip = velocity - (velocity @ normal) * normal
-    return rubbing(surface.friction_axes, slip, normal, vertical)
+    bristles: tuple[BristleRate, ...]  # of its part, if a surface has any
 
 
 class NearestFace(NamedTuple):
@@ -392,7 +394,7 @@ def cage_contact(
         arm: Pose of the arm.
         body: Motion of the main body.
     """
-    return face_contact(face_of(obstacle, contact_point, radius, arm), 1.0, arm, body)
+    return face_contact(face_of(obstacle, contact_point, radius, arm), 1.0, (), arm, body)
 
 
 @kernel
@@ -406,7 +408,13 @@ def _turning_beside(omega: Vec, moving: FaceMotion) -> Vec:
 
 
 @kernel
-def face_contact(face: ContactFace, engaged: float, arm: ArmPose, body: BodyMotion) -> CageContact:
+def face_contact(
+    face: ContactFace,
+    engaged: float,
+    bristles: tuple[Bristles, ...],
+    arm: ArmPose,
+    body: BodyMotion,
+) -> CageContact:
     """Contact of a cage with a face that it meets, without forces if the cage is not engaged.
 
     The last stage of a Runge–Kutta step that ends at a touch evaluates the force beyond it.
@@ -416,6 +424,7 @@ def face_contact(face: ContactFace, engaged: float, arm: ArmPose, body: BodyMoti
     Args:
         face: In the body frame.
         engaged: 0 for a cage that did not touch at the beginning of the step.
+        bristles: Of the cage, if a surface has any.
         arm: Pose of the arm.
         body: Motion of the main body.
     """
@@ -434,21 +443,32 @@ def face_contact(face: ContactFace, engaged: float, arm: ArmPose, body: BodyMoti
     pressed = normal_force(surface, depth, rate, body.ahead)
     slip = slip_velocity(surface, sliding + (omega ^ rubbing_at), n, body.vertical)
     f_n = pressed.force * steepness
-    rubbed = friction_force(surface, f_n, slip)
+    at_contact = Rubbing(surface, f_n, n, slip, omega, body.r, body.vertical)
+    rubbed = fold(friction_by_bristles, friction_force(surface, f_n, slip), bristles, (at_contact,))
 
     push = n * (-f_n)
     force = push + rubbed.force
     moment = (rubbing_at ^ force) + ((at.normal_lever - at.friction_lever) ^ push)
     back = at_saddle * pressed.force
     force, moment = force + back, moment + (saddle ^ back)
+    resisted = RollingResistance(moment, rubbed.loss)
+    resisted = fold(rolling_resistance, resisted, bristles, (at_contact,))
     grounded = face.is_ground if gap < 0.0 else 0.0
     grip = friction_damping(rubbed.grip, n, rubbing_at, arm.direction)
     press = contact_stiffness(pressed.stiffness, pressed.damper, n, arm.direction)
     touch = ContactLoad(
-        force, moment, f_n, rubbed.force, pressed.loss, rubbed.loss, grounded, grip, press
+        force,
+        resisted.moment,
+        f_n,
+        rubbed.force,
+        pressed.loss,
+        resisted.loss,
+        grounded,
+        grip,
+        press,
     )
     impulsive = 1.0 if surface.restitution >= 0.0 else 0.0
     return CageContact(
         gap, -rate, n, impulsive, pressing, rubbing_at, rubbed.per_speed, surface, touch,
-        face.moving,
+        face.moving, tree_map(bristle_rate, (bristles,), (at_contact, face.moving)),
     )  # fmt: skip

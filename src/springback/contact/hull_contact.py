@@ -23,7 +23,7 @@ from springback.contact.hulls.faces import compound_faces, compound_flags, compo
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import fold, minimum, one_tuple, tree_map
 from springback.kernels.vectors import Vec
-from springback.vehicle.state import Arm, ArmPose, CompoundHull, Sphere
+from springback.vehicle.state import Arm, ArmPose, Bristles, CompoundHull, Sphere
 
 
 @generic
@@ -123,16 +123,23 @@ def _compound_gaps(hull: CompoundHull, obstacles: Any) -> tuple[float, ...]:
 
 
 @kernel
-def hull_contact(face: ContactFace, engaged: float, hull: Any, body: BodyMotion) -> CageContact:
+def hull_contact(
+    face: ContactFace,
+    engaged: float,
+    bristles: tuple[Bristles, ...],
+    hull: Any,
+    body: BodyMotion,
+) -> CageContact:
     """Contact of the hull with a face that it meets, eqs. (13)-(15).
 
     Args:
         face: In the body frame.
         engaged: As for `springback.contact.cage.face_contact`.
+        bristles: Of the hull, if a surface has any.
         hull: Hull of the main body.
         body: Motion of the main body.
     """
-    return face_contact(face, engaged, hull_pose(hull, body.velocity), body)
+    return face_contact(face, engaged, bristles, hull_pose(hull, body.velocity), body)
 
 
 # -- arms ------------------------------------------------------------------------------------------

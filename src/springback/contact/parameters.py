@@ -6,9 +6,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
+from springback.contact.laws.restitution import dissipation_for
 from springback.contact.moving.parameters import GivenMotions
 from springback.contact.obstacles import Plane
-from springback.contact.restitution import dissipation_for
 from springback.contact.surfaces import (
     AnyTangent,
     BothTangents,
@@ -52,9 +52,22 @@ class SurfaceSettings(Settings):
     """`vertical` is the paper's friction, along the vertical tangent only."""
     slip_speed: Speed = 0.03
     """Slip speed below which friction fades to zero (studies/convergence.py)."""
+    friction_law: Literal["regularised", "bristle"] = "regularised"
+    """`bristle` holds still what lies or leans; `regularised` lets it creep, and costs less."""
+    presliding: Annotated[float, Unit("m", above=0.0)] = 1e-4
+    """Largest elastic slip of bristles, from which on a contact slides."""
+    rolling_resistance: Annotated[float, Unit("m", least=0.0)] = 0.0
+    """Lever of the moment against rolling and spinning in contact, per normal force; with bristles.
+    A sphere begins to roll on a slope whose tangent is this over its radius."""
 
     @model_validator(mode="after")
     def _consistent(self) -> SurfaceSettings:
+        if self.friction_law == "bristle" and self.law == "impulse":
+            raise problem("cannot be bristle with law impulse, which has no force", "friction_law")
+        if self.friction_law != "bristle" and "rolling_resistance" in self.model_fields_set:
+            raise problem("needs friction_law bristle", "rolling_resistance")
+        if self.friction_law != "bristle" and "presliding" in self.model_fields_set:
+            raise problem("needs friction_law bristle", "presliding")
         if self.law == "impulse" and self.restitution is None:
             raise problem("is missing; law impulse needs it", "restitution")
         if self.law == "hunt-crossley" and self.restitution is None and self.dissipation is None:
@@ -108,6 +121,8 @@ class SurfaceSettings(Settings):
             friction_axes=axes,
             slip_speed=self.slip_speed,
             restitution=(self.restitution or 0.0) if impulse else -1.0,
+            presliding=self.presliding if self.friction_law == "bristle" else 0.0,
+            rolling=self.rolling_resistance,
         )
 
 

@@ -68,6 +68,8 @@ class Surface(NamedTuple):
     friction_axes: FrictionAxes  # along which friction acts
     slip_speed: float  # below which friction is regularised [m/s]
     restitution: float  # e of the impulse law; negative for a force law
+    presliding: float = 0.0  # slip at which bristles let go [m]; 0: it has none
+    rolling: float = 0.0  # lever of rolling resistance [m], with bristles
 
 
 #: Avoids division by zero [m].
@@ -157,7 +159,7 @@ def normal_force(surface: Surface, depth: float, rate: float, ahead: float) -> N
 
 @generic
 def rubbing(axes: FrictionAxes, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
-    """VehiclePart of a slip velocity that friction opposes [m/s].
+    """Part of a slip velocity that friction opposes [m/s].
 
     Args:
         axes: `BothTangents`, `VerticalTangent` or `AnyTangent`.
@@ -181,6 +183,13 @@ def _either(axes: AnyTangent, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
     upright = rubbing(VerticalTangent(0.0), slip, normal, vertical)
     opposed: Vec = select(axes.vertical > 0.0, upright, slip)
     return opposed
+
+
+@kernel
+def slip_velocity(surface: Surface, velocity: Vec, normal: Vec, vertical: Vec) -> Vec:
+    """Part of a velocity along the surface that friction opposes [m/s]."""
+    slip = velocity - (velocity @ normal) * normal
+    return rubbing(surface.friction_axes, slip, normal, vertical)
 
 
 class Friction(NamedTuple):

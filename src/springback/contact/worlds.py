@@ -70,7 +70,9 @@ def obstacles(
     """
     if any(_moves(entry) for entry in settings):
         return _moving_scene(settings, own, numbers or range(len(settings)))
-    if as_scene or any(isinstance(entry, ShapeSettings) for entry in settings):
+    laws = [law for entry in settings for law in surfaces_of(entry)] + [law for _, law in own]
+    holds = any(law.friction_law == "bristle" for law in laws)
+    if as_scene or holds or any(isinstance(entry, ShapeSettings) for entry in settings):
         return _scene(settings, own)
     planes = [entry for entry in settings if not isinstance(entry, ShapeSettings)]
     all_faces: list[tuple[Any, SurfaceSettings, float]] = []
@@ -122,14 +124,20 @@ def _moving_scene(
             law = entry.law() if isinstance(entry, ShapeSettings) else entry.surface
             surface = law.surface(AnyExponent, by_number=True)
             moving.append(MovingShape(_solids_alone(entry), surface, entry.motion, k))
+    if any(one.surface.presliding > 0.0 for one in moving):
+        still = still._replace(bristles=1.0)
     return moving_scene(still, moving)
 
 
 def _is_impulsive(entry: BuiltIn) -> bool:
+    return any(surface.law == "impulse" for surface in surfaces_of(entry))
+
+
+def surfaces_of(entry: BuiltIn) -> list[SurfaceSettings]:
+    """Surfaces of an obstacle."""
     if isinstance(entry, ShapeSettings):
-        return any(part.surface.law == "impulse" for part in entry.parts())
-    laws = (entry.surface, getattr(entry, "backing", entry.surface))
-    return any(law.law == "impulse" for law in laws)
+        return [part.surface for part in entry.parts()]
+    return [entry.surface, entry.backing] if isinstance(entry, Mat) else [entry.surface]
 
 
 def _solids_alone(entry: Wall | ShapeSettings) -> list[SolidShape]:
@@ -155,7 +163,8 @@ def _scene(settings: Sequence[BuiltIn], own: Sequence[Own]) -> SolidScene:
     built = _scene_of_built_in(tuple(settings))
     if isinstance(built.table, NumberTable):
         built.table.hold()  # it may be of an earlier batch, and soon be forgotten here
-    return built._replace(own=beside)
+    bristles = 1.0 if any(one.surface.presliding > 0.0 for one in beside) else built.bristles
+    return built._replace(own=beside, bristles=bristles)
 
 
 @lru_cache(maxsize=LATEST)

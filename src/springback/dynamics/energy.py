@@ -186,4 +186,5 @@ def locked_state(airframe: Airframe, state: State) -> State:
         state.arm_length,
         tree_map(_still, (airframe.arms,), ()),
         state.bodies,
+        state.bristles,
     )

@@ -11,8 +11,10 @@ from springback.dynamics.crossing import Crossing, soonest
 from springback.dynamics.touches import (
     BodyAcceleration,
     Contact,
+    PartBristles,
     PartPush,
     Slip,
+    bristles_of,
     contact_of,
     crossing_of,
     is_in_contact,
@@ -26,6 +28,7 @@ from springback.dynamics.touches import (
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import field_of, fold, maximum, minimum, tree_map, tree_sum
 from springback.kernels.vectors import Vec, positive_part
+from springback.vehicle.state import Bristles
 
 
 class HullView(NamedTuple):
@@ -49,6 +52,7 @@ class HullState(NamedTuple):
     damper: float  # friction as a damper [N s/m]
     farthest: float  # bound on the squared distance of its contact points from the main body [m²]
     slips: tuple[Slip, ...]  # one for each face
+    bristles: tuple[PartBristles, ...]  # if a surface has any
 
 
 @kernel
@@ -56,6 +60,7 @@ def hull_state(
     hull: Any,
     engaged: tuple[float, ...],
     push: tuple[PartPush, ...],
+    bristles: tuple[Bristles, ...],
     obstacles: Any,
     body: BodyMotion,
 ) -> HullState:
@@ -65,12 +70,12 @@ def hull_state(
         hull: Hull of the main body, a `Sphere` or a `CompoundHull`.
         engaged: For each face, 0 if it was not touched when the step began.
         push: Of another vehicle, if there is one.
+        bristles: Of the hull, if a surface has any.
         obstacles: In the body frame.
         body: Motion of the main body.
     """
-    met = tree_map(
-        hull_contact, (hull_faces(hull, obstacles, maximum(engaged)), engaged), (hull, body)
-    )
+    faces = hull_faces(hull, obstacles, maximum(engaged))
+    met = tree_map(hull_contact, (faces, engaged), (bristles, hull, body))
     touch, gap = tree_sum(field_of(met, "touch")), minimum(field_of(met, "gap"))
     touch = fold(with_push, touch, push, (Vec(0.0, 0.0, 0.0), body.r))
     engaged_now = fold(with_push_flag, tree_map(is_in_contact, (met,), ()), push, ())
@@ -87,7 +92,8 @@ def hull_state(
     slips = tree_map(slip_of, (met,), ())
     touched = touched_normal(met, gap, engaged_now)
     contact = contact_of(touch, moving_bodies(obstacles), met)
-    return HullState(contact, view, touched, touch.grip.alone, farthest, slips)
+    held = bristles_of(bristles, met, body.r)
+    return HullState(contact, view, touched, touch.grip.alone, farthest, slips, held)
 
 
 @kernel

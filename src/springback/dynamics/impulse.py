@@ -23,11 +23,10 @@ from springback.contact.cage import (
     face_contact,
     obstacles_in_body_frame,
     obstacles_now,
-    slip_velocity,
 )
 from springback.contact.hull_contact import arm_faces, hull_contact, hull_faces
 from springback.contact.obstacles import World
-from springback.contact.surfaces import Surface
+from springback.contact.surfaces import Surface, slip_velocity
 from springback.dynamics.energy import about_mass_centre, energy, spread
 from springback.dynamics.motion import LANDED, RESTING, Motion, Work
 from springback.kernels.compiler import rare_kernel
@@ -62,12 +61,12 @@ class ImpulseContact(NamedTuple):
 
 @rare_kernel
 def _hit_by_arm(face: ContactFace, arm: Any, body: BodyMotion) -> ImpulseContact:
-    return _hit(face_contact(face, 1.0, arm, body), body.r)
+    return _hit(face_contact(face, 1.0, (), arm, body), body.r)
 
 
 @rare_kernel
 def _hit_by_hull(face: ContactFace, hull: Any, body: BodyMotion) -> ImpulseContact:
-    return _hit(hull_contact(face, 1.0, hull, body), body.r)
+    return _hit(hull_contact(face, 1.0, (), hull, body), body.r)
 
 
 @rare_kernel
@@ -230,6 +229,7 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
         state.arm_length,
         state.arm_rate,
         state.bodies,
+        state.bristles,
     )
     before = energy(airframe, world, contact_point, state)
     left = energy(airframe, world, contact_point, after)

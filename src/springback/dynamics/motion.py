@@ -64,11 +64,17 @@ from springback.dynamics.touches import RESTING as RESTING
 from springback.dynamics.touches import (
     BodyAcceleration,
     Contact,
+    PartBristles,
     PartPush,
     Slip,
+    arm_bristles,
     arm_pushes,
+    bristle_rates,
+    bristles_of,
     contact_of,
     crossing_of,
+    friction_rate_with_bristles,
+    hull_bristles,
     hull_pushes,
     is_in_contact,
     slip_of,
@@ -85,6 +91,7 @@ from springback.kernels.trees import (
     fold,
     maximum,
     minimum,
+    one_tuple,
     replace,
     select,
     tree_map,
@@ -95,6 +102,7 @@ from springback.kernels.vectors import Vec, positive_part, quaternion_rate
 from springback.vehicle.state import (
     Airframe,
     Arm,
+    Bristles,
     State,
     arm_pose,
     arms_inertia,
@@ -185,6 +193,7 @@ class ArmState(NamedTuple):
     grip: ArmFrictionRate
     slide: Stiffness  # spring and damper along the slide
     slips: tuple[Slip, ...]  # one for each face
+    bristles: tuple[PartBristles, ...]  # if a surface has any
 
 
 @kernel
@@ -210,6 +219,7 @@ def arm_state(
     thrust: float,
     engaged: tuple[float, ...],
     push: tuple[PartPush, ...],
+    bristles: tuple[Bristles, ...],
     around: Surroundings,
 ) -> ArmState:
     """One arm: contact at its cage, its spring, its stops, its rotor, its inertia.
@@ -221,6 +231,7 @@ def arm_state(
         thrust: T_j [N].
         engaged: For each face, 0 if the cage did not touch it when the step began.
         push: Of another vehicle, if there is one.
+        bristles: Of the cage and its hulls, if a surface has any.
         around: What all arms share.
     """
     body, omega = around.body, around.body.omega
@@ -230,7 +241,7 @@ def arm_state(
 
     touching = maximum(engaged)
     faces = arm_faces(arm, around.obstacles, around.contact_point, pose, touching)
-    met = tree_map(face_contact, (faces, engaged), (pose, body))
+    met = tree_map(face_contact, (faces, engaged), (bristles, pose, body))
     touch = fold(with_push, tree_sum(field_of(met, "touch")), push, (lever, body.r))
     gap = minimum(field_of(met, "gap"))
     stop = end_stop(arm, length, rate)
@@ -279,7 +290,7 @@ def arm_state(
     grip = ArmFrictionRate(touch.grip.on_arm * per_mass, touch.grip.lean * per_mass)
     return ArmState(
         share, ArmPull(h * per_mass, u), view, touched_normal(met, gap, engaged_now), grip, slide,
-        tree_map(slip_of, (met,), ()),
+        tree_map(slip_of, (met,), ()), bristles_of(bristles, met, body.r),
     )  # fmt: skip
 
 
@@ -392,11 +403,13 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
             plant.thrust,
             engaged.arms,
             arm_pushes(plant.pushes, airframe.arms),
+            arm_bristles(state.bristles, airframe.arms),
         ),
         (Surroundings(obstacles, plant.contact_point, body, released),),
     )
     pushed = hull_pushes(plant.pushes, airframe.hull)
-    hull = tree_map(hull_state, (airframe.hull, engaged.hull, pushed), (obstacles, body))
+    held = hull_bristles(state.bristles, airframe.hull)
+    hull = tree_map(hull_state, (airframe.hull, engaged.hull, pushed, held), (obstacles, body))
     contact = fold(_together, a.contact, field_of(hull, "contact"), ())
     bodies = bodies_rates(
         world.obstacles, state.bodies, moving_bodies(obstacles), contact.reactions, engaged.bodies,
@@ -422,6 +435,7 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
 
     acceleration = r @ solved.linear - Vec(0.0, 0.0, world.gravity)
     sliding = tree_map(_arm_acceleration, (airframe.arms, arms), (solved.linear,))
+    on_arms, on_hull = one_tuple(field_of(arms, "bristles")), one_tuple(field_of(hull, "bristles"))
     state_rate = State(
         state.velocity,
         quaternion_rate(state.attitude, omega),
@@ -430,6 +444,7 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
         state.arm_rate,
         sliding,
         field_of(bodies, "state"),
+        bristle_rates(state.bristles, on_arms, on_hull),
     )
     thrust_power = a.thrust * velocity.z + a.rotor_moment @ omega
     push = r @ contact.force
@@ -448,14 +463,16 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
     views = tree_map(
         _with_unbalance, (field_of(arms, "seen"), airframe.arms, state.arm_rate, sliding), ()
     )
-    on_arms = field_of(arms, "grip")
+    grips = field_of(arms, "grip")
     inverse = inverse_inertia(inertia)
     friction_rate = friction_rate_bound(
-        a.grip, field_of(on_arms, "whole"), field_of(on_arms, "lean"), airframe.inverse_mass,
+        a.grip, field_of(grips, "whole"), field_of(grips, "lean"), airframe.inverse_mass,
         inertia, inverse,
     )  # fmt: skip
     stays = airframe.mass - sliding_mass.x - sliding_mass.y
     friction_rate = fold(friction_rate_with_hull, friction_rate, hull, (stays, inverse))
+    held_parts = on_arms + on_hull
+    friction_rate = fold(friction_rate_with_bristles, friction_rate, held_parts, (inverse.largest,))
     # Terms of a cage's acceleration that are quadratic in rates are neglected: they are small.
     linear = solved.linear - world.gravity * body.vertical
     moving = BodyAcceleration(linear, solved.angular, body.vertical)

@@ -143,11 +143,11 @@ def body_touch(body: MovingBody, pose: BodyPose, still: SolidScene, flags: float
         part = ArmPose(none, centre, velocity)
         first, second, third = contact_faces(world, Sphere(centre, radius), radius, part, 1.0)
         at = FACES * i
-        touch = _with_contact(touch, face_contact(first, _flag(flags, at), part, motion), at)
+        touch = _with_contact(touch, face_contact(first, _flag(flags, at), (), part, motion), at)
         at = FACES * i + 1
-        touch = _with_contact(touch, face_contact(second, _flag(flags, at), part, motion), at)
+        touch = _with_contact(touch, face_contact(second, _flag(flags, at), (), part, motion), at)
         at = FACES * i + 2
-        touch = _with_contact(touch, face_contact(third, _flag(flags, at), part, motion), at)
+        touch = _with_contact(touch, face_contact(third, _flag(flags, at), (), part, motion), at)
     return touch
 
 

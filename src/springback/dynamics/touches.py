@@ -12,14 +12,23 @@ from springback.contact.cage import (
     CageContact,
     ContactLoad,
     FaceMotion,
-    slip_velocity,
 )
+from springback.contact.laws.bristles import BristleRate
 from springback.contact.step_bounds import ContactStiffness
-from springback.contact.surfaces import Surface
+from springback.contact.surfaces import Surface, slip_velocity
 from springback.dynamics.crossing import Crossing, crossing
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.trees import fold, maximum, replace, tree_map, tree_sum
+from springback.kernels.trees import (
+    field_of,
+    fold,
+    maximum,
+    one_tuple,
+    replace,
+    tree_map,
+    tree_sum,
+)
 from springback.kernels.vectors import Mat3, Vec, larger
+from springback.vehicle.state import Bristles, VehicleBristles
 
 #: A cage at a surface of the impulse law rests there while it is slower than this along the normal
 #: [m/s]: it then touches without rebound (chosen: a rebound at this speed is 5 µm high).
@@ -256,3 +265,161 @@ def slip_rate(slip: Slip, body: BodyAcceleration) -> float:
     change = body.linear + (body.angular ^ slip.point)
     along = slip_velocity(slip.surface, change, slip.inward, body.vertical)
     return (along @ along) * (slip.per_speed * slip.per_speed)
+
+
+# -- bristles --------------------------------------------------------------------------------------
+
+
+class PartBristles(NamedTuple):
+    """Bristles of one part of the vehicle: their rate, and their limits on steps."""
+
+    rate: Bristles
+    turning: float  # rolling resistance as a damper [N m s]
+    recovery: float  # rate at which they come to rest [1/s]; 0 without contact
+
+
+@kernel
+def _with_contact(total: BristleRate, more: BristleRate) -> BristleRate:
+    return tree_sum((total, more))
+
+
+@kernel
+def _of_part(bristles: Bristles, contacts: tuple[BristleRate, ...], r: Mat3) -> PartBristles:
+    none = Vec(0.0, 0.0, 0.0)
+    all_ = fold(_with_contact, BristleRate(none, none, 0.0, 0.0, 0.0), contacts, ())
+    share = 1.0 / all_.weight if all_.weight > 0.0 else 0.0
+    rate = Bristles(r @ (all_.slip * share), r @ (all_.roll * share))
+    return PartBristles(rate, all_.turning, all_.recovery)
+
+
+@kernel
+def bristles_of(
+    bristles: tuple[Bristles, ...], met: tuple[CageContact, ...], r: Mat3
+) -> tuple[PartBristles, ...]:
+    """Rate of the bristles of a part: the mean over its contacts, weighted by normal forces.
+
+    Args:
+        bristles: Of the part, if a surface has any.
+        met: The faces that it meets.
+        r: Body axes to world axes.
+    """
+    return tree_map(_of_part, (bristles,), (one_tuple(field_of(met, "bristles")), r))
+
+
+@generic
+def arm_bristles(bristles: Any, arms: tuple[Any, ...]) -> tuple[tuple[Bristles, ...], ...]:
+    """For each arm its bristles; mostly there are none."""
+    return tree_map(_no_bristles, (arms,), ())
+
+
+@generic
+def hull_bristles(bristles: Any, hull: tuple[Any, ...]) -> tuple[tuple[Bristles, ...], ...]:
+    """As `arm_bristles`, for the hull of the main body."""
+    return tree_map(_no_bristles, (hull,), ())
+
+
+@kernel
+def _no_bristles(part: Any) -> tuple[()]:
+    return ()
+
+
+@kernel
+def _alone(bristles: Bristles) -> tuple[Bristles]:
+    return (bristles,)
+
+
+@arm_bristles.register(VehicleBristles)
+@kernel
+def _given_arm_bristles(
+    bristles: VehicleBristles, arms: tuple[Any, ...]
+) -> tuple[tuple[Bristles, ...], ...]:
+    return tree_map(_alone, (bristles.arms,), ())
+
+
+@kernel
+def _of_hull(
+    none: tuple[()], hull: Any, bristles: tuple[Bristles, ...]
+) -> tuple[tuple[Bristles, ...], ...]:
+    return tree_map(_alone, (bristles,), ())
+
+
+@hull_bristles.register(VehicleBristles)
+@kernel
+def _given_hull_bristles(
+    bristles: VehicleBristles, hull: tuple[Any, ...]
+) -> tuple[tuple[Bristles, ...], ...]:
+    return fold(_of_hull, (), hull, (bristles.hull,))  # without a hull, where that touches nothing
+
+
+@generic
+def bristle_rates(
+    bristles: Any, arms: tuple[PartBristles, ...], hull: tuple[PartBristles, ...]
+) -> Any:
+    """Rate of the bristles of a vehicle, as its state has them.
+
+    Args:
+        bristles: Of the state.
+        arms: Of each arm.
+        hull: Of the hull, if it takes part.
+    """
+    return ()
+
+
+@kernel
+def _no_rate(bristles: Bristles) -> Bristles:
+    none = Vec(0.0, 0.0, 0.0)
+    return Bristles(none, none)
+
+
+@kernel
+def _hull_rate(so_far: tuple[Bristles, ...], part: PartBristles) -> tuple[Bristles, ...]:
+    return (part.rate,)
+
+
+@bristle_rates.register(VehicleBristles)
+@kernel
+def _vehicle_rates(
+    bristles: VehicleBristles, arms: tuple[PartBristles, ...], hull: tuple[PartBristles, ...]
+) -> VehicleBristles:
+    of_hull = fold(_hull_rate, tree_map(_no_rate, (bristles.hull,), ()), hull, ())
+    return VehicleBristles(field_of(arms, "rate"), of_hull)
+
+
+@kernel
+def friction_rate_with_bristles(rate: float, part: PartBristles, largest: float) -> float:
+    """Upper bound on the rate at which friction stops a part, with its bristles [1/s].
+
+    Args:
+        rate: Bound without them [1/s].
+        part: Its bristles.
+        largest: Largest reciprocal of the inertia about the main body [1/(kg m²)].
+    """
+    return rate + 1.5 * part.turning * largest + 0.5 * part.recovery
+
+
+@generic
+def let_go(bristles: Any, arms: tuple[Any, ...], hull: tuple[Any, ...]) -> Any:
+    """Bristles after an instant: those of parts that touch nothing have sprung back.
+
+    Args:
+        bristles: Of the state.
+        arms: Views of the arms.
+        hull: View of the hull, if there is one.
+    """
+    return ()
+
+
+@kernel
+def _held(bristles: Bristles, view: Any) -> Bristles:
+    touches = maximum(view.engaged)
+    return Bristles(bristles.slip * touches, bristles.roll * touches)
+
+
+@let_go.register(VehicleBristles)
+@kernel
+def _let_go(
+    bristles: VehicleBristles, arms: tuple[Any, ...], hull: tuple[Any, ...]
+) -> VehicleBristles:
+    return VehicleBristles(
+        tree_map(_held, (bristles.arms, arms), ()), tree_map(_held, (bristles.hull, hull), ())
+    )

@@ -13,8 +13,8 @@ from typing import Any
 
 import scipy  # its parts are loaded when first used
 
+from springback.contact.laws.restitution import dissipation_for
 from springback.contact.library import SURFACES
-from springback.contact.restitution import dissipation_for
 from springback.errors import InputError
 from springback.paper.printed import (
     DISSIPATION_RANGE,

@@ -10,6 +10,7 @@ import scipy  # submodules are loaded on first use
 from springback.contact.cage import moving_bodies
 from springback.contact.moving.bodies import ABSENT
 from springback.simulation.flight import FlightRecord, Trace
+from springback.simulation.playback import bristle_columns
 from springback.simulation.thrusts import ThrustTable
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -41,6 +42,10 @@ def trajectory_columns(
     for name, source in rubbed.items():
         parts = np.stack([trace[f"{source}.{axis}"] for axis in "xyz"])
         columns[name], units[name] = np.linalg.norm(parts, axis=0), "N"
+    if flown.start.bristles != ():
+        held = bristle_columns(len(count), len(flown.start.bristles.hull))
+        for name, (source, unit) in held.items():
+            columns[name], units[name] = np.ascontiguousarray(trace[source]), unit
     for number, body in enumerate(moving_bodies(flown.model.world.obstacles), start=1):
         if body.kind != ABSENT:
             moving = _body_columns(trace, f"bodies.{number}.pose", f"obstacle{int(body.obstacle)}_")

@@ -34,6 +34,7 @@ from springback.contact.parameters import faces
 from springback.contact.scene.faces import FACES, SolidScene
 from springback.contact.worlds import Own, alone, obstacles
 from springback.dynamics.solution import Slider
+from springback.dynamics.touches import arm_bristles, hull_bristles
 from springback.errors import InputError
 from springback.kernels.compiler import executor, kernel, user_executor
 from springback.kernels.layout import Buffer, TreeLayout, read, write
@@ -53,7 +54,7 @@ from springback.simulation.onboard import Truth, sensor_step
 from springback.simulation.playback import Instant, states_at
 from springback.simulation.record import Model
 from springback.vehicle.rotors import lag_over
-from springback.vehicle.state import Arm, State, arm_pose
+from springback.vehicle.state import Arm, Bristles, State, arm_pose
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -171,13 +172,17 @@ class PartContact(NamedTuple):
 
 
 @kernel
-def _on_cage(face: ContactFace, arm: Any, body: BodyMotion) -> CageContact:
-    return face_contact(face, 1.0, arm, body)
+def _on_cage(
+    face: ContactFace, bristles: tuple[Bristles, ...], arm: Any, body: BodyMotion
+) -> CageContact:
+    return face_contact(face, 1.0, bristles, arm, body)
 
 
 @kernel
-def _on_hull(face: ContactFace, hull: Any, body: BodyMotion) -> CageContact:
-    return hull_contact(face, 1.0, hull, body)
+def _on_hull(
+    face: ContactFace, bristles: tuple[Bristles, ...], hull: Any, body: BodyMotion
+) -> CageContact:
+    return hull_contact(face, 1.0, bristles, hull, body)
 
 
 @kernel
@@ -190,20 +195,23 @@ def _arm_contact(
     arm: Arm,
     length: float,
     rate: float,
+    bristles: tuple[Bristles, ...],
     obstacles: Any,
     contact_point: Any,
     body: BodyMotion,
 ) -> PartContact:
     pose = arm_pose(arm, length, rate, body.velocity)
     faces = arm_faces(arm, obstacles, contact_point, pose, 1.0)
-    found = tree_map(_on_cage, (faces,), (pose, body))
+    found = tree_map(_on_cage, (faces,), (bristles, pose, body))
     gaps = arm_gaps(arm, obstacles, contact_point, pose)
     return PartContact(tree_sum(tree_map(_moment, (found,), ())), gaps)
 
 
 @kernel
-def _hull_contact(hull: Any, obstacles: Any, body: BodyMotion) -> PartContact:
-    found = tree_map(_on_hull, (hull_faces(hull, obstacles, 1.0),), (hull, body))
+def _hull_contact(
+    hull: Any, bristles: tuple[Bristles, ...], obstacles: Any, body: BodyMotion
+) -> PartContact:
+    found = tree_map(_on_hull, (hull_faces(hull, obstacles, 1.0),), (bristles, hull, body))
     return PartContact(tree_sum(tree_map(_moment, (found,), ())), hull_gaps(hull, obstacles))
 
 
@@ -213,13 +221,15 @@ def _contacts(at: Instant) -> tuple[PartContact, ...]:
     body = body_motion(state, 0.0)
     there = obstacles_now(at.world.obstacles, state.bodies)
     obstacles = obstacles_in_body_frame(there, state.position, body.r)
+    on_arms = arm_bristles(state.bristles, at.airframe.arms)
+    on_hull = hull_bristles(state.bristles, at.airframe.hull)
     arms = tree_map(
         _arm_contact,
-        (at.airframe.arms, state.arm_length, state.arm_rate),
+        (at.airframe.arms, state.arm_length, state.arm_rate, on_arms),
         (obstacles, at.contact_point, body),
     )
     found: tuple[PartContact, ...] = arms + tree_map(
-        _hull_contact, (at.airframe.hull,), (obstacles, body)
+        _hull_contact, (at.airframe.hull, on_hull), (obstacles, body)
     )
     return found
 

@@ -42,6 +42,7 @@ from springback.scenario.tables import (
 )
 from springback.scenario.worlds.imported import single_obstacles
 from springback.settings import naming, problem
+from springback.simulation.flight import bristles_at_start
 from springback.simulation.record import Model, Timing
 from springback.simulation.thrusts import ThrustTable
 from springback.vehicle.parameters import Vehicle
@@ -304,7 +305,7 @@ def start_state(start: Start, vehicle: Vehicle, model: Model, build: Build = pla
         The problem, if there is a touch distance and the straight motion meets no obstacle.
     """
     state: State = build(_state_at_place, start, vehicle)
-    state = state._replace(bodies=bodies_at_start(model.world))
+    state = state._replace(bodies=bodies_at_start(model.world), bristles=bristles_at_start(model))
     if start.touch_distance is None:
         return state
     moved = build(way_to_touch, model, state) - start.touch_distance

@@ -30,8 +30,9 @@ from springback.dynamics.motion import (
 )
 from springback.dynamics.obstacle_views import NO_VIEW, BodyView
 from springback.dynamics.rigid import RigidRates, RigidState, rigid_step
+from springback.dynamics.touches import let_go
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
-from springback.kernels.layout import Buffer, TreeLayout, read, rows, write
+from springback.kernels.layout import Buffer, TreeLayout, read, row_of, rows, write
 from springback.kernels.trees import (
     axpy,
     axpy_strictly,
@@ -129,6 +130,9 @@ def begin_step(shape: TreeLayout, b: Buffer, w: int) -> None:
         now = model_at(model, record.stepping.time)
         known = rates_of(now, motion.state, record.stepping.phase)
         write(record_after(model, motion, known.seen, record), b, at.record, w, i)
+        seen = known.seen
+        held = let_go(motion.state.bristles, seen.arms, seen.hull)
+        write(held, b, at.motion + row_of(shape.motion.state, "bristles"), w, i)
         write(known.motion.state, b, at.rate, w, i)
         write(known.motion, b, at.total, w, i)
         if w == 1:  # only a single flight is logged

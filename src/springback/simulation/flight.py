@@ -13,6 +13,8 @@ import numpy as np
 
 from springback.contact.cage import moving_bodies
 from springback.contact.hull_contact import arm_flags, hull_flags
+from springback.contact.moving.scene import MovingScene
+from springback.contact.scene.faces import SolidScene
 from springback.dynamics.crossing import Crossing
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.motion import ArmView, Engaged, HullView, Motion, View, Work
@@ -28,7 +30,7 @@ from springback.simulation.executor import TrajectoryLog, advance, has_space
 from springback.simulation.lanes import Shape, buffer_rows, empty_groups, places
 from springback.simulation.record import FLYING, FREE_FLIGHT, IMPACT, Model, Record, record_with
 from springback.simulation.thrusts import ARRIVED, ThrustTable
-from springback.vehicle.state import State
+from springback.vehicle.state import Bristles, State, VehicleBristles
 
 Executor = Literal["compiled", "python"]
 
@@ -116,7 +118,18 @@ def still_state(arm_lengths: Sequence[float]) -> State:
 def model_state(model: Model) -> State:
     """State of the structure that a model's flights have, at rest at the origin."""
     bodies = tuple(body.start for body in moving_bodies(model.world.obstacles))
-    return still_state([0.0] * len(model.airframe.arms))._replace(bodies=bodies)
+    still = still_state([0.0] * len(model.airframe.arms))._replace(bodies=bodies)
+    return still._replace(bristles=bristles_at_start(model))
+
+
+def bristles_at_start(model: Model) -> VehicleBristles | tuple[()]:
+    """Elastic slip of all parts of a vehicle that touches nothing; `()` if no surface has any."""
+    obstacles = model.world.obstacles
+    scene = obstacles.still if isinstance(obstacles, MovingScene) else obstacles
+    if not isinstance(scene, SolidScene) or scene.bristles == 0.0:
+        return ()
+    none, airframe = Bristles(Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)), model.airframe
+    return VehicleBristles((none,) * len(airframe.arms), (none,) * len(airframe.hull))
 
 
 def flight_buffers(

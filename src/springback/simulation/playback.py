@@ -34,13 +34,14 @@ from springback.contact.hull_contact import (
 from springback.contact.moving.bodies import ABSENT, GIVEN, MovingBody
 from springback.contact.obstacles import World
 from springback.dynamics.energy import Energy, energy
+from springback.dynamics.touches import arm_bristles, hull_bristles
 from springback.kernels.compiler import executor, kernel, user_executor
 from springback.kernels.layout import Buffer, TreeLayout, read, write
 from springback.kernels.trees import leaves, tree_map
 from springback.kernels.vectors import Vec
 from springback.simulation.flight import model_state, own_types, sources
 from springback.simulation.record import Model
-from springback.vehicle.state import Airframe, Arm, State, arm_pose
+from springback.vehicle.state import Airframe, Arm, Bristles, State, arm_pose
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Places = np.ndarray[Any, np.dtype[np.intp]]
@@ -75,13 +76,17 @@ class Evaluation(NamedTuple):
 
 
 @kernel
-def _cage_load(face: ContactFace, arm: Any, body: BodyMotion) -> FaceLoad:
-    return _in_world(face_contact(face, 1.0, arm, body), body)
+def _cage_load(
+    face: ContactFace, bristles: tuple[Bristles, ...], arm: Any, body: BodyMotion
+) -> FaceLoad:
+    return _in_world(face_contact(face, 1.0, bristles, arm, body), body)
 
 
 @kernel
-def _hull_load(face: ContactFace, hull: Any, body: BodyMotion) -> FaceLoad:
-    return _in_world(hull_contact(face, 1.0, hull, body), body)
+def _hull_load(
+    face: ContactFace, bristles: tuple[Bristles, ...], hull: Any, body: BodyMotion
+) -> FaceLoad:
+    return _in_world(hull_contact(face, 1.0, bristles, hull, body), body)
 
 
 @kernel
@@ -97,18 +102,21 @@ def _arm_loads(
     arm: Arm,
     length: float,
     rate: float,
+    bristles: tuple[Bristles, ...],
     obstacles: Any,
     contact_point: Any,
     body: BodyMotion,
 ) -> tuple[FaceLoad, ...]:
     pose = arm_pose(arm, length, rate, body.velocity)
     faces = arm_faces(arm, obstacles, contact_point, pose, 1.0)
-    return tree_map(_cage_load, (faces,), (pose, body))
+    return tree_map(_cage_load, (faces,), (bristles, pose, body))
 
 
 @kernel
-def _hull_loads(hull: Any, obstacles: Any, body: BodyMotion) -> tuple[FaceLoad, ...]:
-    return tree_map(_hull_load, (hull_faces(hull, obstacles, 1.0),), (hull, body))
+def _hull_loads(
+    hull: Any, bristles: tuple[Bristles, ...], obstacles: Any, body: BodyMotion
+) -> tuple[FaceLoad, ...]:
+    return tree_map(_hull_load, (hull_faces(hull, obstacles, 1.0),), (bristles, hull, body))
 
 
 @kernel
@@ -117,12 +125,14 @@ def _evaluate(at: Instant) -> Evaluation:
     body = body_motion(state, 0.0)
     there = obstacles_now(at.world.obstacles, state.bodies)
     obstacles = obstacles_in_body_frame(there, state.position, body.r)
+    on_arms = arm_bristles(state.bristles, at.airframe.arms)
+    on_hull = hull_bristles(state.bristles, at.airframe.hull)
     arms = tree_map(
         _arm_loads,
-        (at.airframe.arms, state.arm_length, state.arm_rate),
+        (at.airframe.arms, state.arm_length, state.arm_rate, on_arms),
         (obstacles, at.contact_point, body),
     )
-    parts = arms + tree_map(_hull_loads, (at.airframe.hull,), (obstacles, body))
+    parts = arms + tree_map(_hull_loads, (at.airframe.hull, on_hull), (obstacles, body))
     return Evaluation(parts, energy(at.airframe, at.world, at.contact_point, state))
 
 
@@ -162,7 +172,26 @@ def states_at(model: Model, columns: Mapping[str, Array], places: Places | slice
     states = np.stack([columns[name][places] for name in names], axis=1)
     bodies = moving_bodies(model.world.obstacles)
     moving = [_body_states(body, columns, places, len(states)) for body in bodies]
-    return np.concatenate([states, *moving], axis=1)
+    held = [] if model_state(model).bristles == () else [_bristles(model, columns, places)]
+    return np.concatenate([states, *moving, *held], axis=1)
+
+
+def _bristles(model: Model, columns: Mapping[str, Array], places: Places | slice) -> Array:
+    """Leaves of `springback.vehicle.state.VehicleBristles`, one row for each instant."""
+    parts = bristle_columns(len(model.airframe.arms), len(model.airframe.hull))
+    return np.stack([columns[name][places] for name in parts], axis=1)
+
+
+def bristle_columns(arms: int, hulls: int) -> dict[str, tuple[str, str]]:
+    """Columns of a trajectory for the elastic slip of all parts: names in the trace, and units."""
+    parts = [(f"{j}", f"arms.{j}") for j in range(1, arms + 1)]
+    parts += [("_body", f"hull.{k}") for k in range(1, hulls + 1)]
+    return {
+        f"{stem}{part}_{axis}": (f"state.bristles.{source}.{kind}.{axis}", unit)
+        for part, source in parts
+        for stem, kind, unit in (("stick", "slip", "m"), ("roll", "roll", "rad"))
+        for axis in "xyz"
+    }
 
 
 def _body_states(

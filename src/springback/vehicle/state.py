@@ -142,6 +142,20 @@ class BodyState(NamedTuple):
     angular_velocity: Vec  # its axes [rad/s]
 
 
+class Bristles(NamedTuple):
+    """Elastic slip of the contacts of one part of a vehicle since they stuck; or its rate."""
+
+    slip: Vec  # world [m]
+    roll: Vec  # angle turned about the contact, world [rad]
+
+
+class VehicleBristles(NamedTuple):
+    """Elastic slip of all parts of a vehicle."""
+
+    arms: tuple[Bristles, ...]
+    hull: tuple[Bristles, ...]  # of the main body, if it has a hull
+
+
 class State(NamedTuple):
     """Position, attitude and velocities of a vehicle; or, field by field, their rates."""
 
@@ -152,6 +166,7 @@ class State(NamedTuple):
     arm_length: tuple[float, ...]  # l_j [m]
     arm_rate: tuple[float, ...]  # l̇_j [m/s]
     bodies: tuple[BodyState, ...] = ()  # obstacles that move; mostly none
+    bristles: Any = ()  # `VehicleBristles` where a surface has them
 
 
 @kernel

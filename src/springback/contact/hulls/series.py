@@ -47,7 +47,8 @@ def in_series(surface: Surface, law: HullLaw) -> Surface:
         d = here * here * d + there * there * law.dissipation
         b = here * here * b + there * there * law.viscosity
     return Surface(
-        k, d, b, surface.exponent, friction, surface.friction_axes, slip_speed, surface.restitution
+        k, d, b, surface.exponent, friction, surface.friction_axes, slip_speed, surface.restitution,
+        surface.presliding, surface.rolling,
     )  # fmt: skip
 
 

@@ -82,7 +82,7 @@ APART = 1e-3
 ON_SURFACE = 1e-9
 
 #: Numbers of a surface.
-SURFACE_WIDTH = 8
+SURFACE_WIDTH = 10
 #: Kinds of parts, by number.
 RING, TIP, SPHERE = 0.0, 1.0, 2.0
 
@@ -96,6 +96,7 @@ class SolidScene(NamedTuple):
     exact: float  # 0: gaps above `EXACT_BELOW` may be lower bounds, 1: they are exact
     hull_query: float = 0.0  # of `springback.contact.hulls.compound.scene_hull_faces`
     rounding: float = 0.0  # of rings that are hulls [rad]
+    bristles: float = 0.0  # 1 if a surface has any
 
 
 class SceneInBodyFrame(NamedTuple):
@@ -144,6 +145,7 @@ def surface_at(table: float, row: int) -> Surface:
         number_at(table, k), number_at(table, k + 1), number_at(table, k + 2),
         AnyExponent(number_at(table, k + 3)), number_at(table, k + 4),
         AnyTangent(number_at(table, k + 5)), number_at(table, k + 6), number_at(table, k + 7),
+        number_at(table, k + 8), number_at(table, k + 9),
     )  # fmt: skip
 
 
@@ -151,7 +153,7 @@ def surface_at(table: float, row: int) -> Surface:
 def no_face() -> ContactFace:
     """A face out of reach."""
     none = Vec(0.0, 0.0, 0.0)
-    surface = Surface(0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, AnyTangent(0.0), 1.0, -1.0)
+    surface = Surface(0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, AnyTangent(0.0), 1.0, -1.0, 0.0, 0.0)
     nearest = simple_face(FAR, Vec(0.0, 0.0, 1.0), Support(none, none, none, 0.0))
     return ContactFace(nearest, surface, 0.0, ())
 

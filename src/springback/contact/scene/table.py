@@ -102,8 +102,11 @@ def scene_of(
         for row, k in enumerate(order)
         if solids[k].kind in WITH_TABLE
     }
+    bristles = 1.0 if any(one.presliding > 0.0 for one in surfaces) else 0.0
     shared = {place: table for place, table in parts.items() if isinstance(table, NumberTable)}
-    return SolidScene(NumberTable(numbers, shared), SCENE_FACES.address, own, 0.0)
+    return SolidScene(
+        NumberTable(numbers, shared), SCENE_FACES.address, own, 0.0, bristles=bristles
+    )
 
 
 def _numbers(solids: Sequence[Solid], surfaces: Sequence[Surface]) -> tuple[Array, list[int]]:
@@ -131,7 +134,7 @@ def _surface_numbers(s: Surface) -> list[float]:
     assert isinstance(axes, AnyTangent)
     numbers = [
         s.stiffness, s.dissipation, s.viscosity, exponent.value, s.friction, axes.vertical,
-        s.slip_speed, s.restitution,
+        s.slip_speed, s.restitution, s.presliding, s.rolling,
     ]  # fmt: skip
     assert len(numbers) == SURFACE_WIDTH
     return numbers

@@ -43,7 +43,7 @@ from springback.simulation.ticks import (
 from springback.vehicle.state import State
 
 #: Surface that is noticed and does not push.
-_SILENT = Surface(0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, AnyTangent(0.0), 1.0, -1.0)
+_SILENT = Surface(0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, AnyTangent(0.0), 1.0, -1.0, 0.0, 0.0)
 
 
 class PairedFlight(NamedTuple):

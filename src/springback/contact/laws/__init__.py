@@ -1,0 +1,1 @@
+"""Laws of contact surfaces: restitution, and friction at rest by bristles."""
