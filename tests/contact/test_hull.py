@@ -49,7 +49,7 @@ def met(shape: Any, centre: Vec, velocity: Vec, omega: Vec, radius: float = RADI
     rubber = surface(stiffness=1e5, friction=0.5, slip_speed=1e-3)
     hull = Sphere(centre, radius)
     (face,) = hull_faces(hull, (Obstacle(shape, rubber, 0.0),), 1.0)
-    return hull_contact(face, 1.0, hull, body(LEVEL, velocity, omega))
+    return hull_contact(face, 1.0, (), hull, body(LEVEL, velocity, omega))
 
 
 # -- one instant -----------------------------------------------------------------------------------

@@ -25,6 +25,10 @@ from springback.settings import Settings, problem
 #: Types of obstacles that are planes.
 PLANES = ("wall", "mat", "ground")
 
+#: Slip at which bristles let go, unless it is given [m] (chosen: of hard plastic; a robot at rest
+#: then swings along the surface with 50 Hz).
+PRESLIDING = 1e-4
+
 Law = Literal["hunt-crossley", "hertz", "kelvin-voigt", "impulse"]
 
 
@@ -54,7 +58,7 @@ class SurfaceSettings(Settings):
     """Slip speed below which friction fades to zero (studies/convergence.py)."""
     friction_law: Literal["regularised", "bristle"] = "regularised"
     """`bristle` holds still what lies or leans; `regularised` lets it creep, and costs less."""
-    presliding: Annotated[float, Unit("m", above=0.0)] = 1e-4
+    presliding: Annotated[float, Unit("m", above=0.0)] = PRESLIDING
     """Largest elastic slip of bristles, from which on a contact slides."""
     rolling_resistance: Annotated[float, Unit("m", least=0.0)] = 0.0
     """Lever of the moment against rolling and spinning in contact, per normal force; with bristles.
@@ -64,9 +68,9 @@ class SurfaceSettings(Settings):
     def _consistent(self) -> SurfaceSettings:
         if self.friction_law == "bristle" and self.law == "impulse":
             raise problem("cannot be bristle with law impulse, which has no force", "friction_law")
-        if self.friction_law != "bristle" and "rolling_resistance" in self.model_fields_set:
+        if self.friction_law != "bristle" and self.rolling_resistance > 0.0:
             raise problem("needs friction_law bristle", "rolling_resistance")
-        if self.friction_law != "bristle" and "presliding" in self.model_fields_set:
+        if self.friction_law != "bristle" and self.presliding != PRESLIDING:
             raise problem("needs friction_law bristle", "presliding")
         if self.law == "impulse" and self.restitution is None:
             raise problem("is missing; law impulse needs it", "restitution")

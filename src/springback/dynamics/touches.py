@@ -394,7 +394,7 @@ def friction_rate_with_bristles(rate: float, part: PartBristles, largest: float)
         part: Its bristles.
         largest: Largest reciprocal of the inertia about the main body [1/(kg m²)].
     """
-    return rate + 1.5 * part.turning * largest + 0.5 * part.recovery
+    return rate + 1.5 * part.turning * largest + 2.0 * part.recovery
 
 
 @generic

@@ -37,7 +37,8 @@ def stretched(stretch: Vec, velocity: Vec, most: float, slip_speed: float) -> St
 
     The elastoplastic model of Dupont, Hayward, Armstrong & Altpeter (IEEE Transactions on Automatic
     Control 47, 2002): with u = z/z_s + v/v_s, the load is −u/max(1, |u|), and ż = v − α |v| z/z_s,
-    where α is 0 up to |u| = 0.7, so that what is held does not creep, and 1 from |u| = 1.
+    where α is 0 up to |u| = 0.7, so that what is held does not creep, and 1 from |u| = 1.  Faster
+    than 2 v_s, where all slides, ż is as at that speed: z turns no faster than steps can follow.
 
     Args:
         stretch: z [m] or [rad].
@@ -50,7 +51,9 @@ def stretched(stretch: Vec, velocity: Vec, most: float, slip_speed: float) -> St
     size = norm(u)
     share = 1.0 / larger(size, 1.0)
     slides = smaller(positive_part(size - ELASTIC_SHARE) * (1.0 / (1.0 - ELASTIC_SHARE)), 1.0)
-    rate = velocity - stretch * (slides * norm(velocity) * per_most)
+    speed = norm(velocity)
+    rate = velocity - stretch * (slides * speed * per_most)
+    rate = rate * (2.0 * slip_speed / larger(speed, 2.0 * slip_speed))
     return Stretch(u * -share, rate, share * per_speed)
 
 
@@ -69,7 +72,8 @@ def bristle_friction(surface: Surface, normal_force: float, slip: Vec, held: Vec
     """Friction by bristles, −μ f_n times their load, in place of `friction_force`.
 
     What the bristles store is counted as lost, until they give it back.  Their spring limits steps
-    as a damper half as large more does, with half their rate of recovery v_s/z_s.
+    as a damper half as large more does, with half their rate of recovery v_s/z_s; their sliding
+    does with twice that rate.
 
     Args:
         surface: With bristles.
