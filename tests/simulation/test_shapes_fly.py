@@ -45,6 +45,7 @@ FACTORS: dict[str, tuple[Any, ...]] = {
     "hull": (True, False),
     "vehicle": ("arq", "quad"),
     "beside": ("nothing", "ground", "mat"),
+    "friction": ("regularised", "bristle"),
 }
 
 
@@ -67,6 +68,8 @@ TABLE = table()
 def obstacles(one: dict[str, Any]) -> list[dict[str, Any]]:
     """The obstacles of a combination."""
     surface = {**LAWS[one["law"]], "friction": 0.8, "friction_axes": one["axes"]}
+    if one["law"] != "impulse":  # which refuses bristles
+        surface["friction_law"] = one["friction"]
     own = {} if one["shape"] == "net" else {"surface": surface}
     found = [{"type": one["shape"], **SHAPES[one["shape"]], **own}]
     if one["beside"] == "ground":
@@ -125,7 +128,8 @@ def test_every_shape_meets_every_setting(shape: str) -> None:
 #: One structure for the compiler: only shapes and laws differ.
 COMPILED = [
     {**TABLE[0], "shape": shape, "law": law, "point": "ring", "axes": "both", "arms": "hybrid",
-     "guide": "free", "hull": True, "vehicle": "arq", "beside": beside}
+     "guide": "free", "hull": True, "vehicle": "arq", "beside": beside,
+     "friction": "regularised"}
     for shape, law, beside in zip(
         SHAPES, itertools.cycle(LAWS), itertools.cycle(("ground", "nothing", "mat"))
     )

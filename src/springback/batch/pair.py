@@ -74,6 +74,8 @@ def fly_pair(
     law = (TWO_CAGES if surface is None else surface).surface(AnyExponent, by_number=True)
     if law.restitution >= 0.0:
         raise InputError("surface.law: must not be impulse between two vehicles")
+    if law.presliding > 0.0:
+        raise InputError("surface.friction_law: must not be bristle between two vehicles")
     period = 1.0 / scenarios[0].clock
     results = fly_both(sides[0], sides[1], law, period=period, trace=trajectory, progress=progress)
     flights = [_flight_of(*both) for both in zip(scenarios, results, strict=True)]

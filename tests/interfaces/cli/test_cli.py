@@ -245,3 +245,18 @@ def test_readings_belong_to_the_slider_tests(tmp_path: Path) -> None:
         words = ["reproduce", part, "--reading", "X: a=1", "--out", str(tmp_path / "out")]
         assert isinstance(CliRunner().invoke(cli, words).exception, InputError)
         assert not (tmp_path / "out").exists()
+
+
+def test_every_command_says_that_a_required_option_is_missing() -> None:
+    """With its arguments and nothing else, none of them goes on, or down."""
+    asked = 0
+    for name, command in cli.commands.items():
+        required = [p for p in command.params if p.required and p.param_type_name == "option"]
+        if required:
+            asked += 1
+            given = [p for p in command.params if p.param_type_name == "argument"]
+            words = ["x.toml" for p in given if p.required or p.nargs == -1]
+            done = CliRunner().invoke(cli, [name, *words])
+            assert done.exit_code == 2, (name, done.output)
+            assert f"Missing option '{required[0].opts[0]}'" in done.output, (name, done.output)
+    assert asked >= 4

@@ -193,10 +193,9 @@ def output_options(
         required: Require ``--out``.
         default: Default of ``--out``.
     """
-    out = click.option(
-        "--out", type=PATH, required=required and default is None, default=default,
-        show_default=default is not None, help=what,
-    )  # fmt: skip
+    # An explicit default of None counts as a value to click, and nothing would be required.
+    given: dict[str, Any] = {} if default is None else {"default": default, "show_default": True}
+    out = click.option("--out", type=PATH, required=required and not given, help=what, **given)
     return _gather(Output, "output", out, *(FLAGS[flag] for flag in flags or FLAGS))
 
 
