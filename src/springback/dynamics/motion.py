@@ -107,6 +107,7 @@ from springback.vehicle.state import (
     arm_pose,
     arms_inertia,
     fastest_cage,
+    planar_product,
     reach,
 )
 
@@ -203,12 +204,6 @@ def spring_damper_force(arm: Arm, length: float, rate: float) -> float:
     The damper opposes l̇ (Rayleigh); the sign printed in eq. (11) would add energy.
     """
     return arm.stiffness * (arm.length - length) - arm.damping * rate
-
-
-@kernel
-def planar_product(a: Vec, b: Vec) -> Vec:
-    """Components (a_x b_x, a_y b_y, a_x b_y) of a bᵀ, for parallel vectors in the body plane."""
-    return Vec(a.x * b.x, a.y * b.y, a.x * b.y)
 
 
 @kernel

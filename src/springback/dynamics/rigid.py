@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.dynamics.air import Still, aerodynamics
-from springback.dynamics.motion import Free, System, planar_product, solve
+from springback.dynamics.motion import Free, System, solve
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import axpy, tree_map, tree_sum
 from springback.kernels.vectors import (
@@ -21,7 +21,14 @@ from springback.kernels.vectors import (
     renormalise,
     rotation,
 )
-from springback.vehicle.state import Airframe, Arm, PlanarInverse, arm_direction, arms_inertia
+from springback.vehicle.state import (
+    Airframe,
+    Arm,
+    PlanarInverse,
+    arm_direction,
+    arms_inertia,
+    planar_product,
+)
 
 
 class OneBody(NamedTuple):

@@ -25,6 +25,7 @@ from springback.contact.scene.faces import SolidScene, distance_of
 from springback.contact.shapes import Box, ShapeSettings
 from springback.contact.worlds import obstacles
 from springback.kernels.memo import Build, plain_build
+from springback.kernels.routines import routines_compiled
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.scenario.avionics import devices_of
@@ -236,12 +237,14 @@ def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
     if is_clear(model, state):
         return
     parts = [f"cage of arm {j}" for j in range(1, len(model.airframe.arms) + 1)] + ["main body"]
+    whole = model.world.obstacles
+    if (
+        isinstance(whole, SolidScene | MovingScene)
+        and min(_gaps_of(whole, model, state)) >= -LANDED
+    ):
+        return  # else look for the one
     for name, one in _one_by_one(scenario, model, state):
-        placed = obstacles_now(one, tuple(body.start for body in moving_bodies(one)))
-        there = obstacles_in_body_frame(placed, state.position, rotation(state.attitude))
-        for part, gap in zip(
-            parts, _gaps(there, model.airframe, model.contact_point), strict=False
-        ):
+        for part, gap in zip(parts, _gaps_of(one, model, state), strict=False):
             if gap < -LANDED:
                 raise problem(
                     f"puts the {part} {-gap:.3g} m inside {name} "
@@ -280,6 +283,14 @@ def _is_far(one: Any, place: Vec, reach: float) -> bool:
         return False
     radius = 0.5 * math.hypot(*one.size) + reach
     return bool(math.dist(one.position, (place.x, place.y, place.z)) > radius)
+
+
+def _gaps_of(obstacles: Any, model: Model, state: State) -> tuple[float, ...]:
+    """Gaps of cages and hull to some obstacles at the start [m]."""
+    placed = obstacles_now(obstacles, tuple(body.start for body in moving_bodies(obstacles)))
+    there = obstacles_in_body_frame(placed, state.position, rotation(state.attitude))
+    with routines_compiled():
+        return _gaps(there, model.airframe, model.contact_point)
 
 
 @traceable

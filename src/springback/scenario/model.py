@@ -25,6 +25,7 @@ from springback.dynamics.clearance import clearance
 from springback.dynamics.motion import Free, Slider
 from springback.dynamics.moving_obstacles import flown_scene
 from springback.kernels.memo import Build, plain_build
+from springback.kernels.routines import routines_compiled
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Mat3, Vec
@@ -338,7 +339,8 @@ def way_to_touch(model: Model, state: State) -> float:
     if not state.velocity @ state.velocity > 0.0:
         raise problem("must not be zero: start.touch_distance is along it", "start.velocity")
     direction = unit(state.velocity)
-    ways = [_way_to(model, one, state, direction) for one in _one_by_one(model.world)]
+    with routines_compiled():
+        ways = [_way_to(model, one, state, direction) for one in _one_by_one(model.world)]
     way = min(ways, default=math.inf)
     if way == math.inf:
         raise problem(

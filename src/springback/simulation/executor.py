@@ -4,8 +4,7 @@ One function serves all executors.  Compiled with 8 lanes, it flies 8 flights in
 the vector unit; with one lane it flies a single flight; not compiled, it is plain Python.  The
 number of lanes is the length of a tuple, so that the compiler knows it.
 
-The layout of the buffers and the swaps of flights between lanes are in
-`springback.simulation.lanes`.
+Layout of the buffers, and swaps between lanes: `springback.simulation.lanes`.
 """
 
 from __future__ import annotations
@@ -129,14 +128,14 @@ def begin_step(shape: TreeLayout, b: Buffer, w: int) -> None:
         record = read(shape.record, b, at.record, w, i)
         now = model_at(model, record.stepping.time)
         known = rates_of(now, motion.state, record.stepping.phase)
-        write(record_after(model, motion, known.seen, record), b, at.record, w, i)
         seen = known.seen
+        write(record_after(model, motion, seen, record), b, at.record, w, i)
         held = let_go(motion.state.bristles, seen.arms, seen.hull)
         write(held, b, at.motion + row_of(shape.motion.state, "bristles"), w, i)
         write(known.motion.state, b, at.rate, w, i)
         write(known.motion, b, at.total, w, i)
         if w == 1:  # only a single flight is logged
-            write(known.seen, b, at.seen, w, i)
+            write(seen, b, at.seen, w, i)
 
 
 @kernel

@@ -216,6 +216,12 @@ def arm_pose(arm: Arm, length: float, rate: float, velocity: Vec) -> ArmPose:
 
 
 @kernel
+def planar_product(a: Vec, b: Vec) -> Vec:
+    """Components (a_x b_x, a_y b_y, a_x b_y) of a bᵀ, for parallel vectors in the body plane."""
+    return Vec(a.x * b.x, a.y * b.y, a.x * b.y)
+
+
+@kernel
 def arms_inertia(second: Vec) -> Mat3:
     """Σ m_j l_j² (1 − e_j e_jᵀ), of the arms about the main body, body axes [kg m²].
 

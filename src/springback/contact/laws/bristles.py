@@ -23,7 +23,7 @@ ELASTIC_SHARE = 0.7
 ROLLING_ANGLE, ROLLING_RATE = 0.01, 0.05
 
 
-class Stretch(NamedTuple):
+class BristleLoad(NamedTuple):
     """Bristles of one contact, or of its resistance to rolling."""
 
     load: Vec  # force or moment per its largest
@@ -32,7 +32,7 @@ class Stretch(NamedTuple):
 
 
 @kernel
-def stretched(stretch: Vec, velocity: Vec, most: float, slip_speed: float) -> Stretch:
+def stretched(stretch: Vec, velocity: Vec, most: float, slip_speed: float) -> BristleLoad:
     """Bristles that hold elastically, and slide where they are stretched to the most.
 
     The elastoplastic model of Dupont, Hayward, Armstrong & Altpeter (IEEE Transactions on Automatic
@@ -54,7 +54,7 @@ def stretched(stretch: Vec, velocity: Vec, most: float, slip_speed: float) -> St
     speed = norm(velocity)
     rate = velocity - stretch * (slides * speed * per_most)
     rate = rate * (2.0 * slip_speed / larger(speed, 2.0 * slip_speed))
-    return Stretch(u * -share, rate, share * per_speed)
+    return BristleLoad(u * -share, rate, share * per_speed)
 
 
 class BristleRate(NamedTuple):
