@@ -423,6 +423,22 @@ def test_the_picture_of_the_imported_world_is_that_of_the_example(tmp_path: Path
     assert compare_images(str(tmp_path / "kept.png"), drawn, tol=5.0) is None
 
 
+def test_pictures_of_scenes_are_those_of_the_examples(tmp_path: Path) -> None:
+    """Of those that fly without a pilot; the others are drawn by the same lines."""
+    pytest.importorskip("matplotlib", reason="the extra plot is not installed")
+    from matplotlib.testing.compare import compare_images
+
+    names = ("window", "drop")
+    subprocess.run(
+        [sys.executable, str(DOCS / "figures/scenes.py"), str(tmp_path), *names],
+        check=True, capture_output=True,
+    )  # fmt: skip
+    for name in nonempty(names):
+        kept = tmp_path / f"kept_{name}.png"
+        kept.write_bytes((DOCS / f"figures/{name}.png").read_bytes())
+        assert compare_images(str(kept), str(tmp_path / f"{name}.png"), tol=5.0) is None, name
+
+
 def test_figures_of_the_chapters_are_those_that_are_drawn(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib", reason="the extra plot is not installed")
     from matplotlib.testing.compare import compare_images

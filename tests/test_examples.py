@@ -106,6 +106,25 @@ def test_steps_and_run_up_fly_from_an_empty_folder(tmp_path: Path) -> None:
     assert run_up.touch_speed == pytest.approx(2.0, abs=0.05)
 
 
+def test_the_two_vehicles_of_the_example_meet_and_the_first_recovers() -> None:
+    first, second = springback.fly_pair(
+        *(ROOT / f"examples/pair_{k}.toml" for k in ("first", "second"))
+    )
+    assert first.outcome is springback.Outcome.RECOVERED
+    assert first.touch_speed == pytest.approx(1.46, abs=0.01)
+    assert second.measures["contacts"] >= 1.0
+
+
+@pytest.mark.parametrize(("aside", "outcome"), [(0.0, "no_contact"), (0.1, "separated")])
+def test_the_pilot_gets_through_the_doorway_of_the_example(aside: float, outcome: str) -> None:
+    """Beside its way by more than the 5.5 cm that are to spare, with contact."""
+    flight = springback.fly(
+        ROOT / "examples/doorway.toml", f"world.obstacles.0.position=[3, {aside}, 0]"
+    )
+    assert flight.outcome.word == outcome
+    assert flight.columns["x"][-1] > 3.5
+
+
 def test_own_pilots_hover_alike_plain_and_compiled(tmp_path: Path) -> None:
     flights = []
     for name in ("own_pilot", "own_pilot_compiled"):

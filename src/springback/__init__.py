@@ -76,7 +76,7 @@ _PUBLIC = {
     "SurfaceSettings": "contact.parameters", "Wall": "contact.parameters",
     "Ground": "contact.parameters", "Mat": "contact.parameters",
     "WALL": "contact.library", "MAT": "contact.library",
-    "restitution": "contact.laws.restitution", "dissipation_for": "contact.restitution",
+    "restitution": "contact.laws.restitution", "dissipation_for": "contact.laws.restitution",
     "signed_distance": "contact.obstacles", "outward_normal": "contact.obstacles",
     "kernel": "kernels.compiler", "Vec": "kernels.vectors", "Quat": "kernels.vectors",
     "rotation": "kernels.vectors",
