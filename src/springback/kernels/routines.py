@@ -148,7 +148,7 @@ class Routine:
             _ROUTINES[self._address] = self
         return self._address
 
-    def compiled(self, argument: Any) -> Any:
+    def call_compiled(self, argument: Any) -> Any:
         """Result of the compiled code, in plain Python."""
         return self._compiled.owner(rebuilt(self._arguments, leaves(argument)))
 
@@ -166,7 +166,7 @@ def call_routine(address: float, argument: Any, like: T) -> T:
         like: A tree of the shape of the result.
     """
     routine = _ROUTINES[address]
-    result: T = (routine.compiled if _COMPILED else routine.function)(argument)
+    result: T = (routine.call_compiled if _COMPILED else routine.function)(argument)
     return result
 
 

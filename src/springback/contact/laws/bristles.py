@@ -32,7 +32,7 @@ class BristleLoad(NamedTuple):
 
 
 @kernel
-def stretched(stretch: Vec, velocity: Vec, most: float, slip_speed: float) -> BristleLoad:
+def bristle_load(stretch: Vec, velocity: Vec, most: float, slip_speed: float) -> BristleLoad:
     """Bristles that hold elastically, and slide where they are stretched to the most.
 
     The elastoplastic model of Dupont, Hayward, Armstrong & Altpeter (IEEE Transactions on Automatic
@@ -82,7 +82,7 @@ def bristle_friction(surface: Surface, normal_force: float, slip: Vec, held: Vec
         held: z, of the part, along the surface [m].
     """
     most = surface.friction * normal_force
-    bent = stretched(held, slip, surface.presliding, surface.slip_speed)
+    bent = bristle_load(held, slip, surface.presliding, surface.slip_speed)
     force = bent.load * most
     per_speed = 1.0 / math.sqrt(slip @ slip + surface.slip_speed * surface.slip_speed)
     return Friction(
@@ -125,7 +125,7 @@ def rolling_resistance(
 ) -> RollingResistance:
     """Moment and heat of a contact with its resistance to rolling and spinning."""
     most = at.surface.rolling * at.normal_force
-    bent = stretched(bristles.roll @ at.r, at.omega, ROLLING_ANGLE, ROLLING_RATE)
+    bent = bristle_load(bristles.roll @ at.r, at.omega, ROLLING_ANGLE, ROLLING_RATE)
     moment = bent.load * most
     return RollingResistance(so_far.moment + moment, so_far.loss - moment @ at.omega)
 
@@ -150,8 +150,8 @@ def bristle_rate(bristles: Bristles, at: Rubbing, moving: tuple[Any, ...]) -> Br
         return BristleRate(none, none, 0.0, 0.0, 0.0)
     weight, slip, roll = at.normal_force, bristles.slip @ at.r, bristles.roll @ at.r
     held = slip_velocity(surface, slip, at.inward, at.vertical)
-    slipped = stretched(held, at.slip, surface.presliding, surface.slip_speed)
-    rolled = stretched(roll, at.omega, ROLLING_ANGLE, ROLLING_RATE)
+    slipped = bristle_load(held, at.slip, surface.presliding, surface.slip_speed)
+    rolled = bristle_load(roll, at.omega, ROLLING_ANGLE, ROLLING_RATE)
     slip_rate = fold(_carried_round, slipped.rate, moving, (slip,))
     roll_rate = fold(_carried_round, rolled.rate, moving, (roll,))
     return BristleRate(
