@@ -43,6 +43,7 @@ CHARACTER = ("recovery/test_characterisation.py", "leaning or tangent or taken")
 HULLS = ("contact/test_hull_distances.py", "dense_samples and (box or pole or window)")
 SERIES = ("contact/test_series.py", "")
 GRIP = ("contact/test_step_bounds.py contact/test_hull.py", "bound or truth or rate")
+REST = ("simulation/test_rest.py", "coulombs or creep_however or never_pull")
 RULES = ("simulation/test_observed.py", "")
 PEAK = ("simulation/test_peaks.py simulation/test_observed.py", "")
 #: Of impulses: one at a time, and of every setting that asks for them.
@@ -74,6 +75,7 @@ class Mutation(NamedTuple):
 
 
 CAGE, SURFACES, MOTION = "contact/cage.py", "contact/surfaces.py", "dynamics/motion.py"
+BRISTLES = "contact/laws/bristles.py"
 STATE, ENERGY, VECTORS = "vehicle/state.py", "dynamics/energy.py", "kernels/vectors.py"
 OBSTACLES, STOPS, SOLUTION = "contact/obstacles.py", "dynamics/stops.py", "dynamics/solution.py"
 ROUNDED_HULLS, HULL_EDGES, SERIES_LAW = (
@@ -119,7 +121,11 @@ MUTATIONS = (
     Mutation("friction drives the slip", SURFACES, "Friction(slip * -grip", "Friction(slip * grip"),
     Mutation("friction loss, sign", SURFACES, "grip * square, grip, per_speed", "-grip * square, grip, per_speed"),
     Mutation("slip without turning", CAGE, "sliding + (omega ^ rubbing_at), n", "sliding, n"),
-    Mutation("slip keeps its normal part", CAGE, "velocity - (velocity @ normal) * normal", "velocity * 1.0"),
+    Mutation("slip keeps its normal part", SURFACES, "velocity - (velocity @ normal) * normal", "velocity * 1.0"),
+    Mutation("bristles pull along", BRISTLES, "BristleLoad(u * -share", "BristleLoad(u * share", REST),
+    Mutation("bristles unbounded", BRISTLES, "share = 1.0 / larger(size, 1.0)", "share = 1.0", REST),
+    Mutation("bristles creep", BRISTLES, "ELASTIC_SHARE = 0.7", "ELASTIC_SHARE = 0.0", REST),
+    Mutation("bristles do not let go", BRISTLES, "slides * speed * per_most", "0.0 * speed * per_most", REST),
     Mutation("vertical friction, tilt", SURFACES, "vertical - (vertical @ normal) * normal", "vertical * 1.0"),
     Mutation("contact moment, sign", CAGE, "moment = (rubbing_at ^ force)", "moment = (force ^ rubbing_at)"),
     Mutation(
