@@ -154,11 +154,11 @@ def test_contributing_names_every_room_in_their_order() -> None:
 
 
 def test_a_newcomers_questions_have_files_for_answers() -> None:
-    """Twenty of them; what is asked of a file is in it or beside it by name."""
+    """Twenty and more; what is asked of a file is in it or beside it by name."""
     written = (SRC.parent / "CONTRIBUTING.md").read_text(encoding="utf-8")
     table = written.split("| where is … | file |")[1].split("\n\n")[0]
     answers = [re.findall(r"`([\w/]+\.py)`", line) for line in table.splitlines()[2:]]
-    assert len(answers) == 20
+    assert len(answers) >= 20
     assert all(answers)
     assert [name for names in answers for name in names if not (PACKAGE / name).is_file()] == []
 
