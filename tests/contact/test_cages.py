@@ -18,7 +18,8 @@ from scipy.spatial.transform import Rotation
 from builders.bodies import LEVEL, STILL, body
 from builders.scenes import CAGE, FACE, LENGTH, surface
 from builders.user_obstacles import Ball, Pole
-from springback.contact.cage import ArmTip, CageContact, Ring, cage_contact, support
+from springback.contact.cage import ArmTip, Ring, support
+from springback.contact.loads import CageContact, cage_contact
 from springback.contact.obstacles import Obstacle, Plane, obstacle_in_body_frame
 from springback.kernels.vectors import Mat3, Vec, norm
 from springback.vehicle.state import ArmPose

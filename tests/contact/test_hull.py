@@ -12,9 +12,10 @@ from builders.bodies import LEVEL, body
 from builders.scenes import surface
 from builders.user_obstacles import Pole
 from springback.batch.scenarios import fly_scenarios
-from springback.contact.cage import FAR, CageContact
+from springback.contact.cage import FAR
 from springback.contact.hull_contact import hull_contact, hull_faces
 from springback.contact.laws.restitution import restitution
+from springback.contact.loads import CageContact
 from springback.contact.obstacles import Obstacle, Plane, SecondContact
 from springback.control.runup import reach
 from springback.errors import InputError

@@ -15,14 +15,8 @@ from scipy.optimize import minimize_scalar
 from builders.bodies import body
 from builders.scenes import surface
 from builders.user_obstacles import Ball, Box, Pole
-from springback.contact.cage import (
-    ArmTip,
-    ContactFace,
-    Ring,
-    face_contact,
-    face_of,
-    nearest_face,
-)
+from springback.contact.cage import ArmTip, ContactFace, Ring, face_of, nearest_face
+from springback.contact.loads import face_contact
 from springback.contact.obstacles import (
     InBodyFrame,
     Obstacle,

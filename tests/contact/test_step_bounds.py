@@ -15,12 +15,12 @@ import pytest
 from builders.cases import nonempty
 from builders.scenes import surface
 from springback.contact.cage import Ring
-from springback.contact.obstacles import Forces, Obstacle, Plane, World, signed_distance
-from springback.contact.step_bounds import (
+from springback.contact.laws.step_bounds import (
     friction_damping,
     friction_rate_bound,
     inverse_inertia,
 )
+from springback.contact.obstacles import Forces, Obstacle, Plane, World, signed_distance
 from springback.dynamics.air import Still
 from springback.dynamics.motion import Free, Rates, rates
 from springback.kernels.trees import leaves, rebuilt

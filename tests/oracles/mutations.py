@@ -88,7 +88,11 @@ HULL_CONTACT, HULL_STATE, TOUCHES = (
     "dynamics/hull_state.py",
     "dynamics/touches.py",
 )
-RECORD, IMPULSES, GRIPS = "simulation/record.py", "dynamics/impulse.py", "contact/step_bounds.py"
+RECORD, IMPULSES, GRIPS = (
+    "simulation/record.py",
+    "dynamics/impulse.py",
+    "contact/laws/step_bounds.py",
+)
 CLEARANCE, CROSSING = "dynamics/clearance.py", "dynamics/crossing.py"
 PEAKS, RING = "simulation/peaks.py", "contact/rings.py"
 ACTION, CHARACTERISATION = "recovery/line_of_action.py", "recovery/characterisation.py"

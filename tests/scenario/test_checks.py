@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from builders.bodies import STILL, body
-from springback.contact.cage import cage_contact
+from springback.contact.loads import cage_contact
 from springback.contact.obstacles import obstacle_in_body_frame
 from springback.frames import attitude_from_euler
 from springback.kernels.vectors import Quat, Vec, rotation

@@ -10,14 +10,6 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from springback.contact.laws.bristles import (
-    BristleRate,
-    RollingResistance,
-    Rubbing,
-    bristle_rate,
-    friction_by_bristles,
-    rolling_resistance,
-)
 from springback.contact.obstacles import (
     Obstacle,
     Plane,
@@ -27,17 +19,11 @@ from springback.contact.obstacles import (
     signed_distance,
 )
 from springback.contact.rings import FAR, LowPoint, LowPoints, lowest_on_ring
-from springback.contact.step_bounds import (
-    ContactStiffness,
-    FrictionDamping,
-    contact_stiffness,
-    friction_damping,
-)
-from springback.contact.surfaces import Surface, friction_force, normal_force, slip_velocity
+from springback.contact.surfaces import Surface
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.trees import fold, minimum, tree_map
-from springback.kernels.vectors import Mat3, Vec, larger, norm, rotation
-from springback.vehicle.state import ArmPose, BodyState, Bristles, Sphere, State
+from springback.kernels.trees import minimum, tree_map
+from springback.kernels.vectors import Mat3, Vec, norm, rotation
+from springback.vehicle.state import ArmPose, BodyState, Sphere, State
 
 #: A gap closer to zero than this counts as zero [m].
 LANDED = 1e-9
@@ -109,20 +95,6 @@ def _arm_tip(tip: ArmTip, inward: Vec, arm_direction: Vec, radius: float) -> Sup
     return Support((lever @ inward) * inward, lever, lever * 0.0, 0.0)
 
 
-class ContactLoad(NamedTuple):
-    """Load on one cage from one obstacle, or the sum over obstacles."""
-
-    force: Vec  # on the cage [N]
-    moment: Vec  # about the main body [N m]
-    normal: float  # f_n [N]
-    friction: Vec  # f_f [N]
-    contact_loss: float  # [W]
-    friction_loss: float  # [W]
-    on_ground: float  # number of grounds touched
-    grip: FrictionDamping  # friction as a damper
-    press: ContactStiffness  # the normal force as a spring and a damper
-
-
 class BodyMotion(NamedTuple):
     """Motion of the main body at one instant, the same for all contacts; vectors in body axes."""
 
@@ -154,22 +126,6 @@ class FaceMotion(NamedTuple):
     velocity: Vec  # of its point at the main body, were it as large [m/s]
     spin: Vec  # angular velocity [rad/s]
     body: float  # number of the moving obstacle, from 0; −1 for one at rest
-
-
-class CageContact(NamedTuple):
-    """One cage against one obstacle: geometry and forces."""
-
-    gap: float  # positive apart, negative in penetration [m]
-    rate: float  # of the gap [m/s]
-    inward: Vec  # unit normal into the obstacle
-    impulsive: float  # 1 where the surface follows the impulse law
-    pressing_at: Vec  # where the normal force acts, from the main body [m]
-    rubbing_at: Vec  # where friction acts, from the main body [m]
-    per_speed: float  # of friction, 1/√(v² + v_s²); 0 without friction [s/m]
-    surface: Surface
-    touch: ContactLoad
-    moving: tuple[FaceMotion, ...]  # as of its `ContactFace`
-    bristles: tuple[BristleRate, ...]  # of its part, if a surface has any
 
 
 class NearestFace(NamedTuple):
@@ -375,100 +331,3 @@ def _value_at(obstacle: Obstacle, value: float) -> float:
 def per_face(obstacles: Any, value: float) -> tuple[float, ...]:
     """The same number for every face of `contact_faces`."""
     return tree_map(_value_at, (obstacles,), (value,))
-
-
-@kernel
-def cage_contact(
-    obstacle: Obstacle,
-    contact_point: Any,
-    radius: float,
-    arm: ArmPose,
-    body: BodyMotion,
-) -> CageContact:
-    """Contact of one cage with one obstacle of any shape and orientation, eqs. (13)-(15).
-
-    Args:
-        obstacle: In the body frame.
-        contact_point: `Ring` or `ArmTip`.
-        radius: r_0 [m].
-        arm: Pose of the arm.
-        body: Motion of the main body.
-    """
-    return face_contact(face_of(obstacle, contact_point, radius, arm), 1.0, (), arm, body)
-
-
-@kernel
-def _beside(velocity: Vec, moving: FaceMotion) -> Vec:
-    return velocity - moving.velocity
-
-
-@kernel
-def _turning_beside(omega: Vec, moving: FaceMotion) -> Vec:
-    return omega - moving.spin
-
-
-@kernel
-def face_contact(
-    face: ContactFace,
-    engaged: float,
-    bristles: tuple[Bristles, ...],
-    arm: ArmPose,
-    body: BodyMotion,
-) -> CageContact:
-    """Contact of a cage with a face that it meets, without forces if the cage is not engaged.
-
-    The last stage of a Runge–Kutta step that ends at a touch evaluates the force beyond it.
-    Contact is therefore switched on or off at the first stage of a step, and stays so until its
-    end.
-
-    Args:
-        face: In the body frame.
-        engaged: 0 for a cage that did not touch at the beginning of the step.
-        bristles: Of the cage, if a surface has any.
-        arm: Pose of the arm.
-        body: Motion of the main body.
-    """
-    surface, end = face.surface, arm.lever
-    # Motion relative to the obstacle.
-    sliding = fold(_beside, arm.sliding, face.moving, ())
-    omega = fold(_turning_beside, body.omega, face.moving, ())
-    gap, n, at, steepness, at_saddle, saddle_lever = face.nearest
-    pressing, rubbing_at = end + at.normal_lever, end + at.friction_lever
-    rate = steepness * ((sliding + (omega ^ pressing)) @ n)  # δ̇, positive in compression
-    saddle = end + saddle_lever
-    rate -= (sliding + (omega ^ saddle)) @ at_saddle
-    # A step ends on the face to within rounding; a law with a jump there must act at once.
-    touches = (gap < -AT_TOUCH) | ((gap <= LANDED) & (rate > 0.0))
-    depth = larger(-gap, AT_TOUCH) if touches & (engaged > 0.0) else 0.0
-    pressed = normal_force(surface, depth, rate, body.ahead)
-    slip = slip_velocity(surface, sliding + (omega ^ rubbing_at), n, body.vertical)
-    f_n = pressed.force * steepness
-    at_contact = Rubbing(surface, f_n, n, slip, omega, body.r, body.vertical)
-    rubbed = fold(friction_by_bristles, friction_force(surface, f_n, slip), bristles, (at_contact,))
-
-    push = n * (-f_n)
-    force = push + rubbed.force
-    moment = (rubbing_at ^ force) + ((at.normal_lever - at.friction_lever) ^ push)
-    back = at_saddle * pressed.force
-    force, moment = force + back, moment + (saddle ^ back)
-    resisted = RollingResistance(moment, rubbed.loss)
-    resisted = fold(rolling_resistance, resisted, bristles, (at_contact,))
-    grounded = face.is_ground if gap < 0.0 else 0.0
-    grip = friction_damping(rubbed.grip, n, rubbing_at, arm.direction)
-    press = contact_stiffness(pressed.stiffness, pressed.damper, n, arm.direction)
-    touch = ContactLoad(
-        force,
-        resisted.moment,
-        f_n,
-        rubbed.force,
-        pressed.loss,
-        resisted.loss,
-        grounded,
-        grip,
-        press,
-    )
-    impulsive = 1.0 if surface.restitution >= 0.0 else 0.0
-    return CageContact(
-        gap, -rate, n, impulsive, pressing, rubbing_at, rubbed.per_speed, surface, touch,
-        face.moving, tree_map(bristle_rate, (bristles,), (at_contact, face.moving)),
-    )  # fmt: skip

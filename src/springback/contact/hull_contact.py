@@ -2,7 +2,7 @@
 
 A sphere is the one body whose contact with any obstacle is exact: its gap is the signed distance of
 its centre less its radius, and it touches on the normal through its centre.  It obeys the same laws
-as a cage (`springback.contact.cage.face_contact`).  All other hulls, and several, are a
+as a cage (`springback.contact.loads.face_contact`).  All other hulls, and several, are a
 `CompoundHull`, which meets scenes (`springback.contact.hulls`).
 """
 
@@ -10,16 +10,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from springback.contact.cage import (
-    BodyMotion,
-    CageContact,
-    ContactFace,
-    contact_faces,
-    face_contact,
-    lowest_gap,
-    per_face,
-)
+from springback.contact.cage import BodyMotion, ContactFace, contact_faces, lowest_gap, per_face
 from springback.contact.hulls.faces import compound_faces, compound_flags, compound_gaps
+from springback.contact.loads import CageContact, face_contact
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import fold, minimum, one_tuple, tree_map
 from springback.kernels.vectors import Vec
@@ -134,7 +127,7 @@ def hull_contact(
 
     Args:
         face: In the body frame.
-        engaged: As for `springback.contact.cage.face_contact`.
+        engaged: As for `springback.contact.loads.face_contact`.
         bristles: Of the hull, if a surface has any.
         hull: Hull of the main body.
         body: Motion of the main body.

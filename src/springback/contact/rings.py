@@ -137,10 +137,10 @@ def between(a: Direction, b: Direction, share: float) -> Direction:
 
 
 @kernel
-def _turning(
+def turning_point(
     shape: Any, centre: Vec, radius: float, a: Direction, b: Direction, falls: float, rises: float
 ) -> LowPoint:
-    """Point between two directions at which the distance turns from falling to rising.
+    """Point of a ring, between two directions, where the distance turns from falling to rising.
 
     Method of I. F. D. Oliveira and R. H. C. Takahashi, "An enhancement of the bisection method
     average performance preserving minmax optimality", ACM Trans. Math. Softw. 47 (2020): a secant,
@@ -218,7 +218,7 @@ def _highest_between(
         b = between(best, last, 0.5)
     falls, rises = _rise(opposite, centre, radius, a), _rise(opposite, centre, radius, b)
     if falls < 0.0 <= rises:
-        found = _turning(opposite, centre, radius, a, b, falls, rises)
+        found = turning_point(opposite, centre, radius, a, b, falls, rises)
         return LowPoint(found.towards, min(-found.gap, 0.0), -found.normal)
     return LowPoint(best, highest, outward_normal(shape, on_ring(centre, radius, best)))
 
@@ -253,7 +253,7 @@ def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> LowP
                 b = rotate(a, _STEP)
                 rises = _rise(shape, centre, radius, b)
                 if falls < 0.0 <= rises:
-                    found = _turning(shape, centre, radius, a, b, falls, rises)
+                    found = turning_point(shape, centre, radius, a, b, falls, rises)
                     if found.gap < first.gap:
                         first, second = found, first
                     elif found.gap < second.gap:

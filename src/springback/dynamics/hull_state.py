@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.contact.cage import BodyMotion, CageContact, moving_bodies
-from springback.contact.hull_contact import hull_contact, hull_faces
-from springback.contact.step_bounds import InverseInertia
+from springback.contact.cage import BodyMotion, moving_bodies
+from springback.contact.hull_contact import hull_faces, hull_pose
+from springback.contact.laws.step_bounds import InverseInertia
+from springback.contact.loads import CageContact, contacts_with
 from springback.dynamics.crossing import Crossing, soonest
 from springback.dynamics.touches import (
     BodyAcceleration,
@@ -75,7 +76,8 @@ def hull_state(
         body: Motion of the main body.
     """
     faces = hull_faces(hull, obstacles, maximum(engaged))
-    met = tree_map(hull_contact, (faces, engaged), (bristles, hull, body))
+    pose = hull_pose(hull, body.velocity)
+    met = contacts_with(obstacles, faces, engaged, bristles, pose, body)
     touch, gap = tree_sum(field_of(met, "touch")), minimum(field_of(met, "gap"))
     touch = fold(with_push, touch, push, (Vec(0.0, 0.0, 0.0), body.r))
     engaged_now = fold(with_push_flag, tree_map(is_in_contact, (met,), ()), push, ())

@@ -17,14 +17,13 @@ from typing import Any, NamedTuple
 
 from springback.contact.cage import (
     BodyMotion,
-    CageContact,
     ContactFace,
     body_motion,
-    face_contact,
     obstacles_in_body_frame,
     obstacles_now,
 )
 from springback.contact.hull_contact import arm_faces, hull_contact, hull_faces
+from springback.contact.loads import CageContact, face_contact
 from springback.contact.obstacles import World
 from springback.contact.surfaces import Surface, slip_velocity
 from springback.dynamics.energy import about_mass_centre, energy, spread

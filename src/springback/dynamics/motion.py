@@ -32,14 +32,12 @@ from springback.contact.cage import LANDED as LANDED
 from springback.contact.cage import (
     BodyMotion,
     body_motion,
-    face_contact,
     moving_bodies,
     obstacles_in_body_frame,
     obstacles_now,
 )
 from springback.contact.hull_contact import arm_faces, arm_flags, hull_flags
-from springback.contact.obstacles import World
-from springback.contact.step_bounds import (
+from springback.contact.laws.step_bounds import (
     ArmFrictionRate,
     FrictionDamping,
     Stiffness,
@@ -47,6 +45,8 @@ from springback.contact.step_bounds import (
     friction_rate_bound,
     inverse_inertia,
 )
+from springback.contact.loads import contacts_with
+from springback.contact.obstacles import World
 from springback.dynamics.air import aerodynamics
 from springback.dynamics.crossing import Crossing, sooner, soonest
 from springback.dynamics.hull_state import HullView as HullView
@@ -236,7 +236,7 @@ def arm_state(
 
     touching = maximum(engaged)
     faces = arm_faces(arm, around.obstacles, around.contact_point, pose, touching)
-    met = tree_map(face_contact, (faces, engaged), (bristles, pose, body))
+    met = contacts_with(around.obstacles, faces, engaged, bristles, pose, body)
     touch = fold(with_push, tree_sum(field_of(met, "touch")), push, (lever, body.r))
     gap = minimum(field_of(met, "gap"))
     stop = end_stop(arm, length, rate)

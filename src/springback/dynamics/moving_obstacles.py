@@ -11,15 +11,8 @@ from __future__ import annotations
 import math
 from typing import Any, NamedTuple
 
-from springback.contact.cage import (
-    LANDED,
-    BodyMotion,
-    CageContact,
-    FaceMotion,
-    contact_faces,
-    face_contact,
-    lowest_gap,
-)
+from springback.contact.cage import LANDED, BodyMotion, FaceMotion, contact_faces, lowest_gap
+from springback.contact.loads import CageContact, face_contact
 from springback.contact.moving.bodies import (
     CARRIED,
     FREE,
@@ -121,7 +114,7 @@ def body_touch(body: MovingBody, pose: BodyPose, still: SolidScene, flags: float
         body: The obstacle.
         pose: Its place and motion.
         still: The world.
-        flags: Bits of the contacts that are engaged; see `springback.contact.cage.face_contact`.
+        flags: Bits of the contacts that are engaged; see `springback.contact.loads.face_contact`.
     """
     none, r = Vec(0.0, 0.0, 0.0), pose.r
     touch = _no_touch(1e9)

@@ -7,14 +7,10 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.contact.cage import (
-    LANDED,
-    CageContact,
-    ContactLoad,
-    FaceMotion,
-)
+from springback.contact.cage import LANDED, FaceMotion
 from springback.contact.laws.bristles import BristleRate
-from springback.contact.step_bounds import ContactStiffness
+from springback.contact.laws.step_bounds import ContactStiffness
+from springback.contact.loads import CageContact, ContactLoad
 from springback.contact.surfaces import Surface, slip_velocity
 from springback.dynamics.crossing import Crossing, crossing
 from springback.kernels.compiler import generic, kernel

@@ -13,10 +13,8 @@ import scipy  # submodules are loaded on first use
 
 from springback.contact.cage import (
     BodyMotion,
-    CageContact,
     ContactFace,
     body_motion,
-    face_contact,
     obstacles_in_body_frame,
     obstacles_now,
     per_face,
@@ -28,6 +26,7 @@ from springback.contact.hull_contact import (
     hull_faces,
     hull_gaps,
 )
+from springback.contact.loads import CageContact, face_contact
 from springback.contact.moving.hulls import with_hulls
 from springback.contact.moving.scene import MovingScene, exactly
 from springback.contact.parameters import faces

@@ -16,10 +16,8 @@ import scipy  # submodules are loaded on first use
 
 from springback.contact.cage import (
     BodyMotion,
-    CageContact,
     ContactFace,
     body_motion,
-    face_contact,
     moving_bodies,
     obstacles_in_body_frame,
     obstacles_now,
@@ -31,6 +29,7 @@ from springback.contact.hull_contact import (
     hull_faces,
     hull_flags,
 )
+from springback.contact.loads import CageContact, face_contact
 from springback.contact.moving.bodies import ABSENT, GIVEN, MovingBody
 from springback.contact.obstacles import World
 from springback.dynamics.energy import Energy, energy

@@ -11,6 +11,7 @@ import functools
 from typing import Any, NamedTuple
 
 from springback.contact.cage import (
+    BodyMotion,
     ContactFace,
     FaceMotion,
     cage_gap,
@@ -22,6 +23,7 @@ from springback.contact.cage import (
     obstacles_now,
     per_face,
 )
+from springback.contact.loads import CageContact, contacts_with
 from springback.contact.moving.bodies import ABSENT, BodyPose, MovingBody, body_pose
 from springback.contact.obstacles import Obstacle, obstacle_in_body_frame
 from springback.contact.scene.faces import (
@@ -35,11 +37,12 @@ from springback.contact.scene.faces import (
     part_of,
     scene_faces,
 )
+from springback.contact.scene.sparse_contacts import contacts_in_scene
 from springback.kernels.compiler import kernel
 from springback.kernels.routines import Routine, call_routine
 from springback.kernels.trees import fold, minimum, tree_map
 from springback.kernels.vectors import Mat3, Vec, norm
-from springback.vehicle.state import ArmPose, BodyState
+from springback.vehicle.state import ArmPose, BodyState, Bristles
 
 #: Number of what is at rest, as a body.
 AT_REST = -1.0
@@ -250,6 +253,19 @@ def _moving_contact_faces(
         found = _all_faces(world, contact_point, radius, arm)
     own = tree_map(_own_face, (world.own,), (contact_point, radius, arm))
     return (found.first, found.second, found.third) + own  # noqa: RUF005
+
+
+@contacts_with.register(MovingInBodyFrame)
+@kernel
+def _moving_contacts(
+    world: MovingInBodyFrame,
+    faces: tuple[ContactFace, ...],
+    engaged: tuple[float, ...],
+    bristles: tuple[Bristles, ...],
+    arm: ArmPose,
+    body: BodyMotion,
+) -> tuple[CageContact, ...]:
+    return contacts_in_scene(world.still, faces, engaged, bristles, arm, body)
 
 
 @lowest_gap.register(MovingInBodyFrame)

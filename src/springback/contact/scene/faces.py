@@ -48,15 +48,13 @@ from springback.contact.scene.nearest import (
     row_of_near,
     solids_within,
 )
-from springback.contact.scene.ring_views import along_ring, lowest_by_strides
+from springback.contact.scene.ring_views import along_ring, is_smooth, lowest_by_strides
 from springback.contact.scene.sections import Face, vector_at
 from springback.contact.scene.solids import (
     AXES,
     BOX,
     CENTRE,
-    GRID,
     GROUND,
-    HEIGHTS,
     KIND,
     NET,
     ROUNDING,
@@ -264,7 +262,7 @@ def _with_ring(
         along, middle = along_ring(part.table, row, centre, part.r), Vec(0.0, 0.0, 0.0)
         lowest = (
             lowest_by_strides(along, part.radius, part.pose.direction)
-            if (along.form.kind == GRID) | (along.form.kind == HEIGHTS)
+            if is_smooth(along.form)
             else lowest_on_ring(along, middle, part.radius, part.pose.direction)
         )
         if lowest.second.gap < FAR:

@@ -65,7 +65,14 @@ def _box(q: Vec, half: Vec) -> Face:
 
 
 @kernel
-def _capsule(q: Vec, half: float, radius: float) -> Face:
+def capsule_face(q: Vec, half: float, radius: float) -> Face:
+    """Face of a capsule, in its own axes.
+
+    Args:
+        q: The point [m].
+        half: Half length of its axis, along z [m].
+        radius: [m].
+    """
     along = half if q.z > half else (-half if q.z < -half else q.z)
     v = Vec(q.x, q.y, q.z - along)
     length = math.sqrt(v @ v)
@@ -187,7 +194,7 @@ def form_at(table: float, row: int) -> SolidForm:
 def _sharp_face(s: SolidForm, q: Vec) -> Face:
     """Face of a solid before its edges are rounded."""
     if s.kind == CAPSULE:
-        return _capsule(q, s.a, s.b)
+        return capsule_face(q, s.a, s.b)
     if s.kind == BOX:
         return _box(q, Vec(s.a, s.b, s.c))
     if s.kind == FRUSTUM:

@@ -16,12 +16,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.contact.cage import (
-    BodyMotion,
-    contact_faces,
-    face_contact,
-    obstacles_in_body_frame,
-)
+from springback.contact.cage import BodyMotion, contact_faces, obstacles_in_body_frame
+from springback.contact.loads import face_contact
 from springback.kernels.vectors import Quat, Vec, rotation
 from springback.progress import Progress, silent
 from springback.random_streams import Purpose, stream

@@ -1,0 +1,238 @@
+"""Loads of contacts: forces between a part of a vehicle and each face that it meets.
+
+All vectors are in body axes, and all points are relative to the main body, as in
+`springback.contact.cage`.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from springback.contact.cage import (
+    AT_TOUCH,
+    LANDED,
+    BodyMotion,
+    ContactFace,
+    FaceMotion,
+    face_of,
+)
+from springback.contact.laws.bristles import (
+    BristleRate,
+    RollingResistance,
+    Rubbing,
+    bristle_rate,
+    friction_by_bristles,
+    rolling_resistance,
+)
+from springback.contact.laws.step_bounds import (
+    ContactStiffness,
+    FrictionDamping,
+    contact_stiffness,
+    friction_damping,
+)
+from springback.contact.obstacles import Obstacle
+from springback.contact.surfaces import Surface, friction_force, normal_force, slip_velocity
+from springback.kernels.compiler import generic, kernel
+from springback.kernels.trees import fold, tree_map
+from springback.kernels.vectors import Vec, larger
+from springback.vehicle.state import ArmPose, Bristles
+
+
+class ContactLoad(NamedTuple):
+    """Load on one cage from one obstacle, or the sum over obstacles."""
+
+    force: Vec  # on the cage [N]
+    moment: Vec  # about the main body [N m]
+    normal: float  # f_n [N]
+    friction: Vec  # f_f [N]
+    contact_loss: float  # [W]
+    friction_loss: float  # [W]
+    on_ground: float  # number of grounds touched
+    grip: FrictionDamping  # friction as a damper
+    press: ContactStiffness  # the normal force as a spring and a damper
+
+
+class CageContact(NamedTuple):
+    """One cage against one obstacle: geometry and forces."""
+
+    gap: float  # positive apart, negative in penetration [m]
+    rate: float  # of the gap [m/s]
+    inward: Vec  # unit normal into the obstacle
+    impulsive: float  # 1 where the surface follows the impulse law
+    pressing_at: Vec  # where the normal force acts, from the main body [m]
+    rubbing_at: Vec  # where friction acts, from the main body [m]
+    per_speed: float  # of friction, 1/√(v² + v_s²); 0 without friction [s/m]
+    surface: Surface
+    touch: ContactLoad
+    moving: tuple[FaceMotion, ...]  # as of its `ContactFace`
+    bristles: tuple[BristleRate, ...]  # of its part, if a surface has any
+
+
+@kernel
+def cage_contact(
+    obstacle: Obstacle,
+    contact_point: Any,
+    radius: float,
+    arm: ArmPose,
+    body: BodyMotion,
+) -> CageContact:
+    """Contact of one cage with one obstacle of any shape and orientation, eqs. (13)-(15).
+
+    Args:
+        obstacle: In the body frame.
+        contact_point: `Ring` or `ArmTip`.
+        radius: r_0 [m].
+        arm: Pose of the arm.
+        body: Motion of the main body.
+    """
+    return face_contact(face_of(obstacle, contact_point, radius, arm), 1.0, (), arm, body)
+
+
+@kernel
+def _beside(velocity: Vec, moving: FaceMotion) -> Vec:
+    return velocity - moving.velocity
+
+
+@kernel
+def _turning_beside(omega: Vec, moving: FaceMotion) -> Vec:
+    return omega - moving.spin
+
+
+class Approach(NamedTuple):
+    """Motion of a part relative to a face; vectors in body axes."""
+
+    sliding: Vec  # of the end of the arm, without that of rotation [m/s]
+    omega: Vec  # [rad/s]
+    rate: float  # δ̇, positive in compression [m/s]
+
+
+@kernel
+def approach_of(face: ContactFace, arm: ArmPose, body: BodyMotion) -> Approach:
+    """Motion of a part relative to a face that it meets."""
+    end = arm.lever
+    sliding = fold(_beside, arm.sliding, face.moving, ())
+    omega = fold(_turning_beside, body.omega, face.moving, ())
+    _, n, at, steepness, at_saddle, saddle_lever = face.nearest
+    pressing, saddle = end + at.normal_lever, end + saddle_lever
+    rate = steepness * ((sliding + (omega ^ pressing)) @ n)
+    rate -= (sliding + (omega ^ saddle)) @ at_saddle
+    return Approach(sliding, omega, rate)
+
+
+class FaceLoad(NamedTuple):
+    """Load of one contact, and what its friction does."""
+
+    touch: ContactLoad
+    per_speed: float  # as of `CageContact`, as are the bristles
+    bristles: tuple[BristleRate, ...]
+
+
+@kernel
+def face_load(
+    face: ContactFace,
+    relative: Approach,
+    engaged: float,
+    bristles: tuple[Bristles, ...],
+    arm: ArmPose,
+    body: BodyMotion,
+) -> FaceLoad:
+    """Load of the contact with a face; arguments as for `face_contact`."""
+    surface, end = face.surface, arm.lever
+    sliding, omega, rate = relative
+    gap, n, at, steepness, at_saddle, saddle_lever = face.nearest
+    rubbing_at, saddle = end + at.friction_lever, end + saddle_lever
+    # A step ends on the face to within rounding; a law with a jump there must act at once.
+    touches = (gap < -AT_TOUCH) | ((gap <= LANDED) & (rate > 0.0))
+    depth = larger(-gap, AT_TOUCH) if touches & (engaged > 0.0) else 0.0
+    pressed = normal_force(surface, depth, rate, body.ahead)
+    slip = slip_velocity(surface, sliding + (omega ^ rubbing_at), n, body.vertical)
+    f_n = pressed.force * steepness
+    at_contact = Rubbing(surface, f_n, n, slip, omega, body.r, body.vertical)
+    rubbed = fold(friction_by_bristles, friction_force(surface, f_n, slip), bristles, (at_contact,))
+
+    push = n * (-f_n)
+    force = push + rubbed.force
+    moment = (rubbing_at ^ force) + ((at.normal_lever - at.friction_lever) ^ push)
+    back = at_saddle * pressed.force
+    force, moment = force + back, moment + (saddle ^ back)
+    resisted = RollingResistance(moment, rubbed.loss)
+    resisted = fold(rolling_resistance, resisted, bristles, (at_contact,))
+    grounded = face.is_ground if gap < 0.0 else 0.0
+    grip = friction_damping(rubbed.grip, n, rubbing_at, arm.direction)
+    press = contact_stiffness(pressed.stiffness, pressed.damper, n, arm.direction)
+    touch = ContactLoad(
+        force,
+        resisted.moment,
+        f_n,
+        rubbed.force,
+        pressed.loss,
+        resisted.loss,
+        grounded,
+        grip,
+        press,
+    )
+    return FaceLoad(
+        touch, rubbed.per_speed, tree_map(bristle_rate, (bristles,), (at_contact, face.moving))
+    )
+
+
+@kernel
+def contact_under(
+    face: ContactFace, relative: Approach, load: FaceLoad, arm: ArmPose
+) -> CageContact:
+    """Contact of a part with a face, by its load."""
+    at, surface = face.nearest.at, face.surface
+    impulsive = 1.0 if surface.restitution >= 0.0 else 0.0
+    return CageContact(
+        face.nearest.gap, -relative.rate, face.nearest.inward, impulsive,
+        arm.lever + at.normal_lever, arm.lever + at.friction_lever, load.per_speed, surface,
+        load.touch, face.moving, load.bristles,
+    )  # fmt: skip
+
+
+@kernel
+def face_contact(
+    face: ContactFace,
+    engaged: float,
+    bristles: tuple[Bristles, ...],
+    arm: ArmPose,
+    body: BodyMotion,
+) -> CageContact:
+    """Contact of a cage with a face that it meets, without forces if the cage is not engaged.
+
+    The last stage of a Runge–Kutta step that ends at a touch evaluates the force beyond it.
+    Contact is therefore switched on or off at the first stage of a step, and stays so until its
+    end.
+
+    Args:
+        face: In the body frame.
+        engaged: 0 for a cage that did not touch at the beginning of the step.
+        bristles: Of the cage, if a surface has any.
+        arm: Pose of the arm.
+        body: Motion of the main body.
+    """
+    relative = approach_of(face, arm, body)
+    load = face_load(face, relative, engaged, bristles, arm, body)
+    return contact_under(face, relative, load, arm)
+
+
+@generic
+def contacts_with(
+    obstacles: Any,
+    faces: tuple[ContactFace, ...],
+    engaged: tuple[float, ...],
+    bristles: tuple[Bristles, ...],
+    arm: ArmPose,
+    body: BodyMotion,
+) -> tuple[CageContact, ...]:
+    """Contact of a part with each face that it meets; see `face_contact`.
+
+    Args:
+        obstacles: Of which the faces are.
+        faces: In the body frame.
+        engaged: For each face, 0 if the part did not touch it at the beginning of the step.
+        bristles: As for `face_contact`.
+        arm: As for `face_contact`.
+        body: As for `face_contact`.
+    """
+    return tree_map(face_contact, (faces, engaged), (bristles, arm, body))

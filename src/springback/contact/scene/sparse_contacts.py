@@ -1,0 +1,85 @@
+"""Contacts with the faces of a scene, of which few touch: loads are computed only of those.
+
+Faces of planes are computed for all lanes alike, without branches.  Those of a scene come from a
+routine, one lane after the other, and most of a vehicle's fifteen are out of reach.
+"""
+
+from __future__ import annotations
+
+from springback.contact.cage import LANDED, BodyMotion, ContactFace
+from springback.contact.laws.bristles import BristleRate
+from springback.contact.laws.step_bounds import ContactStiffness, FrictionDamping
+from springback.contact.loads import (
+    Approach,
+    CageContact,
+    ContactLoad,
+    FaceLoad,
+    approach_of,
+    contact_under,
+    contacts_with,
+    face_load,
+)
+from springback.contact.scene.faces import SceneInBodyFrame
+from springback.kernels.compiler import called_kernel, kernel
+from springback.kernels.trees import tree_map
+from springback.kernels.vectors import Vec
+from springback.vehicle.state import ArmPose, Bristles
+
+
+@kernel
+def _none_held(bristles: Bristles) -> BristleRate:
+    none = Vec(0.0, 0.0, 0.0)
+    return BristleRate(none, none, 0.0, 0.0, 0.0)
+
+
+@kernel
+def _no_load(face: ContactFace, bristles: tuple[Bristles, ...]) -> FaceLoad:
+    """Load of a face that is not touched."""
+    none = Vec(0.0, 0.0, 0.0)
+    grip = FrictionDamping(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    press = ContactStiffness(0.0, 0.0, 0.0, 0.0)
+    grounded = face.is_ground if face.nearest.gap < 0.0 else 0.0
+    touch = ContactLoad(none, none, 0.0, none, 0.0, 0.0, grounded, grip, press)
+    return FaceLoad(touch, 0.0, tree_map(_none_held, (bristles,), ()))
+
+
+@called_kernel
+def _load(
+    face: ContactFace,
+    relative: Approach,
+    engaged: float,
+    bristles: tuple[Bristles, ...],
+    arm: ArmPose,
+    body: BodyMotion,
+) -> FaceLoad:
+    return face_load(face, relative, engaged, bristles, arm, body)
+
+
+@kernel
+def sparse_contact(
+    face: ContactFace,
+    engaged: float,
+    bristles: tuple[Bristles, ...],
+    arm: ArmPose,
+    body: BodyMotion,
+) -> CageContact:
+    """Contact of a part with a face, as `springback.contact.loads.face_contact`."""
+    relative = approach_of(face, arm, body)
+    load = _no_load(face, bristles)
+    if (face.nearest.gap <= LANDED) & (engaged > 0.0):
+        load = _load(face, relative, engaged, bristles, arm, body)
+    return contact_under(face, relative, load, arm)
+
+
+@contacts_with.register(SceneInBodyFrame)
+@kernel
+def contacts_in_scene(
+    obstacles: SceneInBodyFrame,
+    faces: tuple[ContactFace, ...],
+    engaged: tuple[float, ...],
+    bristles: tuple[Bristles, ...],
+    arm: ArmPose,
+    body: BodyMotion,
+) -> tuple[CageContact, ...]:
+    """Contact of a part with each face of a scene, or of the user's own shapes beside it."""
+    return tree_map(sparse_contact, (faces, engaged), (bristles, arm, body))
