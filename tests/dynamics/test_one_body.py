@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from springback.dynamics import clearance
 from springback.dynamics.air import Air, Still
 from springback.dynamics.energy import energy
 from springback.dynamics.motion import rates
@@ -20,7 +21,7 @@ from springback.dynamics.rigid import (
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec
 from springback.scenario.scenario import scenario_from
-from springback.simulation import executor, record
+from springback.simulation import executor
 from springback.simulation.flight import fly_one
 from springback.vehicle.state import State
 
@@ -125,7 +126,7 @@ def test_a_flight_that_never_cruises_is_the_same(monkeypatch: pytest.MonkeyPatch
     model, start = ready.flight_model(), ready.start_state()
     short = fly_one(model, start, executor="python")
     assert short.record.stepping.room != 0.0
-    monkeypatch.setattr(record, "ROOM", 1e30)
+    monkeypatch.setattr(clearance, "ROOM", 1e30)
     long = fly_one(model, start, executor="python")
     assert long.record.stepping.steps == short.record.stepping.steps
     np.testing.assert_allclose(leaves(short.motion), leaves(long.motion), rtol=1e-10, atol=1e-12)

@@ -1,13 +1,14 @@
-"""Clearance: distance between a vehicle and the nearest obstacle."""
+"""Clearance: distance between a vehicle and the nearest obstacle, and for how long it lasts."""
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 from springback.contact.cage import obstacles_in_body_frame, obstacles_now
 from springback.contact.hull_contact import arm_gap, hull_gap
 from springback.contact.obstacles import World
-from springback.kernels.compiler import kernel
+from springback.contact.scene.faces import SolidScene
+from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import minimum, tree_map
 from springback.kernels.vectors import rotation
 from springback.vehicle.state import Airframe, Arm, State, arm_pose
@@ -39,3 +40,51 @@ def clearance(airframe: Airframe, world: World, contact_point: Any, state: State
     arms = (airframe.arms, state.arm_length, state.arm_rate)
     cages = tree_map(_of_arm, arms, (obstacles, contact_point, state))
     return minimum(cages + tree_map(hull_gap, (airframe.hull,), (obstacles,)))
+
+
+#: Nothing can touch for some time if it cannot within this many steps ...
+ROOMY_STEPS = 8.0
+#: ... and this distance [m].
+ROOM = 1e-3
+#: Factor on the speed of the fastest point at the beginning of a step.
+HASTE = 2.0
+
+
+@kernel
+def has_room(room: float, fastest: float, step: float) -> bool:
+    """True if nothing can touch for several steps.
+
+    Args:
+        room: Lower bound of the distance of every part from every obstacle [m].
+        fastest: Upper bound of the speed of every part [m/s].
+        step: Longest step [s].
+    """
+    return room > ROOMY_STEPS * HASTE * fastest * step + ROOM
+
+
+class Search(NamedTuple):
+    """Whether faces are looked for at the beginning of a step."""
+
+    looks: float  # 0 where nothing can touch
+    room: float  # lower bound of the distance of every part from every obstacle [m]
+
+
+@generic
+def search_at(obstacles: Any, room: float, fastest: float, gone: float, step: float) -> Search:
+    """Whether to look for faces: always, but for a scene at rest that is out of reach.
+
+    Args:
+        obstacles: The world's.
+        room: Lower bound of the distance when the step before began [m].
+        fastest: Upper bound of the speed of every part [m/s].
+        gone: Length of the step before [s].
+        step: Longest next step [s].
+    """
+    return Search(1.0, room)
+
+
+@search_at.register(SolidScene)
+@kernel
+def _in_scene(scene: SolidScene, room: float, fastest: float, gone: float, step: float) -> Search:
+    left = room - HASTE * fastest * gone
+    return Search(0.0 if has_room(left, fastest, step) else 1.0, left)

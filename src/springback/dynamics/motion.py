@@ -357,17 +357,18 @@ class Plant(Protocol):
 
 
 @kernel
-def rates(plant: Plant, state: State, released: float) -> Rates:
+def rates(plant: Plant, state: State, released: float, looks: float = 1.0) -> Rates:
     """Rate of change of all integrated quantities.
 
     Args:
         plant: The vehicle, and all that acts on it.
         state: Present state.
         released: 1 lets the compliant arms slide, 0 locks all arms (rigid flight).
+        looks: 0 where no part can touch: faces of a scene are then not looked for.
     """
     engaged = Engaged(
-        tree_map(arm_flags, (plant.airframe.arms,), (plant.world.obstacles, 1.0)),
-        tree_map(hull_flags, (plant.airframe.hull,), (plant.world.obstacles, 1.0)),
+        tree_map(arm_flags, (plant.airframe.arms,), (plant.world.obstacles, looks)),
+        tree_map(hull_flags, (plant.airframe.hull,), (plant.world.obstacles, looks)),
         tree_map(all_flags, (moving_bodies(plant.world.obstacles),), ()),
     )
     return rates_while(plant, state, released, engaged)

@@ -63,6 +63,7 @@ from springback.simulation.record import (
     clearance_check,
     record_after,
     record_after_cruise,
+    search_of,
 )
 from springback.simulation.thrusts import body_at, model_at, ramped_step
 from springback.vehicle.state import Airframe, Arm, BodyState, State
@@ -105,10 +106,10 @@ def _motion_after_impulses(laws: Impulses, model: Model, motion: Motion, request
 
 
 @kernel
-def rates_of(model: Model, state: State, phase: float) -> Rates:
+def rates_of(model: Model, state: State, phase: float, looks: float) -> Rates:
     """Rates of one flight; its arms can slide during an impact, or always."""
     released = 1.0 if (model.timing.hybrid == 0.0) | (phase > 0.0) else 0.0
-    return rates(model, state, released)
+    return rates(model, state, released, looks)
 
 
 @kernel
@@ -127,9 +128,11 @@ def begin_step(shape: TreeLayout, b: Buffer, w: int) -> None:
         motion = read(shape.motion, b, at.motion, w, i)
         record = read(shape.record, b, at.record, w, i)
         now = model_at(model, record.stepping.time)
-        known = rates_of(now, motion.state, record.stepping.phase)
+        search = search_of(model, motion.state, record)
+        looks = 1.0 if w == 1 else search.looks  # a single flight logs true gaps
+        known = rates_of(now, motion.state, record.stepping.phase, looks)
         seen = known.seen
-        write(record_after(model, motion, seen, record), b, at.record, w, i)
+        write(record_after(model, motion, seen, record, search), b, at.record, w, i)
         held = let_go(motion.state.bristles, seen.arms, seen.hull)
         write(held, b, at.motion + row_of(shape.motion.state, "bristles"), w, i)
         write(known.motion.state, b, at.rate, w, i)
@@ -303,9 +306,8 @@ def take_rigid_steps(shape: TreeLayout, b: Buffer, w: int) -> None:
         after = record_after_cruise(model, x, known, record, good, h)
         write(select(goes, after, record), b, at.record, w, i)
         if w == 1:
-            room = record.stepping.room
-            view = cruise_view(model.airframe, model.world, s.arm_length, known, room)
-            write(view, b, at.seen, w, i)
+            world, room = model.world, record.stepping.room
+            write(cruise_view(model.airframe, world, s.arm_length, known, room), b, at.seen, w, i)
 
 
 @kernel
@@ -377,8 +379,7 @@ def log_step(shape: TreeLayout, b: Buffer, w: int, log: TrajectoryLog) -> None:
 @kernel
 def handle_events(shape: TreeLayout, b: Buffer, w: int) -> None:
     """Process the requests of all lanes."""
-    at = places(shape, w)
-    requests = 0
+    at, requests = places(shape, w), 0
     for i in range(w):
         flies = b[at.status * w + i] == FLYING
         requests += 1 if flies & (b[at.request * w + i] != NOTHING) else 0
@@ -421,10 +422,9 @@ def advance(
     w, groups = len(lanes), buffers.shape[0]
     several = w > 1  # a single lane has no neighbours to protect
     # 1, which the compiler does not know: it would unroll a loop of known length, not pack it.
-    once = log.used.shape[0]
+    once, flying = log.used.shape[0], 1
     if several:
         number_lanes(shape, buffers, w)
-    flying = 1
     while flying > 0 and budget > 0 and has_space(log):
         # Check all clearances first: a group takes over only flights that are known to cruise.
         for group in range(groups if several else 0):

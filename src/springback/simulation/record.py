@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.contact.obstacles import World
-from springback.dynamics.clearance import clearance
+from springback.dynamics.clearance import HASTE, Search, clearance, has_room, search_at
 from springback.dynamics.crossing import crossing, sooner, soonest, time_to
 from springback.dynamics.motion import LANDED, ArmView, Engaged, Motion, View
 from springback.dynamics.obstacle_views import faster, first_hit, nearer, speed_beside
@@ -49,12 +49,6 @@ PER_FRICTION_SHARE, PER_CONTACT_SHARE = 1.0 / FRICTION_SHARE, 1.0 / CONTACT_SHAR
 PER_SLIP_SHARE = 1.0 / SLIP_SHARE
 #: A step to a crossing is at least this share of the impact step.
 SHORTEST = 1e-3
-#: A flight takes steps as one rigid body while nothing can touch within this many free steps ...
-ROOMY_STEPS = 8.0
-#: ... and this distance [m].
-ROOM = 1e-3
-#: Factor on the speed of the fastest point at the beginning of a step.
-HASTE = 2.0
 TINY = 1e-9  # against division by zero
 
 
@@ -206,18 +200,6 @@ def _count(so_far: float, now: float, before: float) -> float:
 
 
 @kernel
-def has_room(timing: Timing, room: float, fastest: float) -> bool:
-    """True if nothing can touch for several steps.
-
-    Args:
-        timing: Of the flight.
-        room: Lower bound of the distance of every part from every obstacle [m].
-        fastest: Upper bound of the speed of every part [m/s].
-    """
-    return room > ROOMY_STEPS * HASTE * fastest * timing.free_step + ROOM
-
-
-@kernel
 def record_after_cruise(
     model: Model, flight: RigidState, known: RigidRates, m: Record, good: bool, step: float
 ) -> Record:
@@ -241,7 +223,7 @@ def record_after_cruise(
         time=now.time + select(good, step, 0.0),
         step=step,
         status=select(good, now.status, NOT_FINITE),
-        cruising=select(good & has_room(model.timing, room, fastest), CRUISING, MAY_LOOK),
+        cruising=select(good & has_room(room, fastest, model.timing.free_step), CRUISING, MAY_LOOK),
         room=room,
         steps=now.steps + 1.0,
     )
@@ -271,6 +253,16 @@ def is_quiet(
     return still & (not ahead) & (timing.hybrid > 0.0) & (len(bodies) == 0)
 
 
+@kernel
+def search_of(model: Model, state: State, m: Record) -> Search:
+    """Whether to look for faces at the beginning of a step, after the one before."""
+    now, timing = m.stepping, model.timing
+    sliding = (now.phase > 0.0) | (timing.hybrid == 0.0)
+    longest = select(sliding, timing.settle_step, timing.free_step)
+    fastest = fastest_cage(model.airframe, state)
+    return search_at(model.world.obstacles, now.room, fastest, now.step, longest)
+
+
 class ClearanceCheck(NamedTuple):
     """Result of a check of the clearance: fields of `Stepping`."""
 
@@ -288,7 +280,7 @@ def clearance_check(model: Model, state: State, m: Record) -> ClearanceCheck:
         model.timing, contacts.touching, m.stepping.phase, contacts.impact_open, ahead,
         state.bodies,
     )  # fmt: skip
-    cruising = select(quiet & has_room(model.timing, room, fastest), CRUISING, STEERED)
+    cruising = select(quiet & has_room(room, fastest, model.timing.free_step), CRUISING, STEERED)
     return ClearanceCheck(cruising, room)
 
 
@@ -425,7 +417,13 @@ def _time_to_crossing(
 
 @kernel
 def _stepping_after(
-    model: Model, state: State, view: View, m: Record, at: Situation, first: FirstImpact
+    model: Model,
+    state: State,
+    view: View,
+    m: Record,
+    at: Situation,
+    first: FirstImpact,
+    search: Search,
 ) -> Stepping:
     """Next step and its kind; ``first`` is after this instant."""
     timing, now, phase = model.timing, m.stepping, at.phase
@@ -439,7 +437,7 @@ def _stepping_after(
     # No point moves faster than this, so nothing can touch unnoticed within the step.
     fastest = fastest_point(model.airframe, state.velocity, state.angular_velocity)
     near = minimum(field_of(view.arms, "gap") + field_of(view.hull, "gap"))
-    near = fold(nearer, near, view.bodies, ())
+    near = select(search.looks > 0.0, fold(nearer, near, view.bodies, ()), search.room)
     haste = larger(fold(faster, fastest_cage(model.airframe, state), view.bodies, ()), TINY)
     stiff = larger(view.contact_rate * PER_CONTACT_SHARE, view.slip_rate * PER_SLIP_SHARE)
     stiff = larger(larger(stiff, view.friction_rate * PER_FRICTION_SHARE), 1.0)
@@ -459,14 +457,14 @@ def _stepping_after(
         status=select((now.status == FLYING) & finished, FINISHED, now.status),
         phase=phase,
         request=select(at.strikes, APPLY_IMPULSE, select(at.locks, LOCK_ARMS, NOTHING)),
-        cruising=select(quiet & has_room(timing, near, fastest), CRUISING, STEERED),
+        cruising=select(quiet & has_room(near, fastest, timing.free_step), CRUISING, STEERED),
         room=near,
         steps=now.steps + select(step > 0.0, 1.0, 0.0),
     )
 
 
 @kernel
-def record_after(model: Model, motion: Motion, view: View, m: Record) -> Record:
+def record_after(model: Model, motion: Motion, view: View, m: Record, search: Search) -> Record:
     """Record after one more instant, with the next step and phase decided.
 
     There are no branches: each line is an arithmetic selection, so that lanes stay packed.
@@ -474,7 +472,7 @@ def record_after(model: Model, motion: Motion, view: View, m: Record) -> Record:
     state, now = motion.state, m.stepping
     at = situation_of(model, state, view, m)
     first: FirstImpact = _first_impact_after(state, view, m, at)
-    stepping: Stepping = _stepping_after(model, state, view, m, at, first)
+    stepping: Stepping = _stepping_after(model, state, view, m, at, first, search)
     sample = PeakSample(
         norm(view.acceleration),
         norm(view.specific_force),
