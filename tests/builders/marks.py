@@ -59,6 +59,7 @@ SLOW = (
     "sensing/test_sensors.py::test_plain_python_and_compiled_are_twins",
     "simulation/test_combinations.py",
     "simulation/test_convergence.py",
+    "simulation/test_engines_pairs.py",
     "simulation/test_gpu.py",
     "simulation/test_guided.py",
     "simulation/test_hit_while_hovering.py",
