@@ -63,6 +63,7 @@ SLOW = (
     "simulation/test_gpu.py",
     "simulation/test_guided.py",
     "simulation/test_hit_while_hovering.py",
+    "simulation/test_hulls_meet_movers.py",
     "simulation/test_peaks.py::test_a_smooth_peak_is_found_far_within_the_error_of_its_samples",
     "simulation/test_rotor_loop.py",
     "simulation/test_shapes_fly.py",
