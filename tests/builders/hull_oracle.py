@@ -54,18 +54,24 @@ def distance(shape: ShapeSettings, points: Array) -> Array:
 def lowest(
     form: HullForm, shape: ShapeSettings, position: Array, turn: Array
 ) -> tuple[float, Array]:
-    """Least gap between a hull and a shape, and where the hull's core is nearest.
+    """Least gap between a hull and a built-in shape, and where the hull's core is nearest."""
+    return lowest_in(form, distances.least(distances.bodies_of(shape)), position, turn)
+
+
+def lowest_in(
+    form: HullForm, field: distances.Field, position: Array, turn: Array
+) -> tuple[float, Array]:
+    """Least gap between a hull and an obstacle, and where the hull's core is nearest.
 
     Args:
         form: Of the hull.
-        shape: The obstacle.
+        field: Distance of points from the obstacle.
         position: Of what the hull is fixed to, world [m].
         turn: Body axes to world axes, shape (3, 3).
     """
     if form.kind == CIRCLE:
-        return _lowest_of_circle(form, shape, position, turn)
+        return _lowest_of_circle(form, field, position, turn)
     a, b, c = (position + corners @ turn.T for corners in _triangles(form))
-    field = distances.least(distances.bodies_of(shape))
 
     def at(k: Array, u: Array, v: Array) -> Array:
         """Points of triangles by two shares."""
@@ -108,12 +114,12 @@ def lowest(
 
 
 def _lowest_of_circle(
-    form: HullForm, shape: ShapeSettings, position: Array, turn: Array
+    form: HullForm, field: distances.Field, position: Array, turn: Array
 ) -> tuple[float, Array]:
     x, y, _ = np.asarray(form.axes) @ turn.T
     centre = position + turn @ np.asarray(form.centre)
     ring = distances.Rings(centre[None], x[None], y[None], form.radius)
-    found = distances.ring_minima(distances.least(distances.bodies_of(shape)), ring)
+    found = distances.ring_minima(field, ring)
     return float(found.gap[0, 0]), ring.at(found.angle[:, :1])[0, 0]
 
 

@@ -248,8 +248,9 @@ def test_rare_events_keep_what_the_air_took() -> None:
     assert settled_motion(model, known).work.air == 3.0
     at_the_wall = start._replace(position=Vec(0.7557, 0.0, 1.0))
     hit = apply_impulses(
-        model.airframe, model.world, model.contact_point, known._replace(state=at_the_wall)
-    )
+        model.airframe, model.world, model.contact_point, model.guide,
+        known._replace(state=at_the_wall),
+    )  # fmt: skip
     assert hit.work.contact > 0.1
     assert hit.work.air == 3.0
 

@@ -15,7 +15,7 @@ from oracles.rigid import rigid
 from springback.dynamics.crossing import NO_CROSSING, time_to
 from springback.dynamics.energy import Energy, angular_momentum, energy, locked_state
 from springback.dynamics.impulse import apply_impulses
-from springback.dynamics.motion import RESTING, Motion
+from springback.dynamics.motion import RESTING, Free, Motion
 from springback.kernels.trees import axpy
 from springback.simulation.flight import FlightRecord, still_work
 
@@ -371,6 +371,7 @@ def kicked(scene: models.Scene, start: models.Start) -> tuple[models.Start, Moti
         models.airframe_of(scene.craft),
         models.world_of(scene),
         models.contact_point_of(scene),
+        Free(0.0),
         Motion(models.state_of(start), still_work()),
     )
     return models.start_of(after.state), after

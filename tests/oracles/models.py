@@ -175,6 +175,22 @@ def airframe_of(craft: Craft) -> Airframe:
     return build_airframe(float(craft.mass), inertia, arms, hull)
 
 
+def craft_of(airframe: Airframe) -> Craft:
+    """Plain numbers of the package's constants."""
+    arms = tuple(
+        ArmSpec(
+            azimuth=math.atan2(arm.sine, arm.cosine), mass=arm.mass, stiffness=arm.stiffness,
+            damping=arm.damping, length=arm.length, shortest=arm.shortest,
+            stop_stiffness=arm.stop_stiffness, stop_dissipation=arm.stop_dissipation,
+            slides=arm.compliance > 0.0, cage_radius=arm.cage_radius, torque_ratio=arm.torque_ratio,
+        )
+        for arm in airframe.arms
+    )  # fmt: skip
+    body_mass = airframe.mass - sum(arm.mass for arm in arms)
+    hull = next((Ball(np.array(one.centre), one.radius) for one in airframe.hull), None)
+    return Craft(body_mass, np.array(airframe.inertia), arms, hull)
+
+
 def world_of(scene: Scene) -> World:
     """The package's world of a scene."""
     if scene.solids:

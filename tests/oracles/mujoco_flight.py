@@ -13,8 +13,8 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from oracles.loads import Flight, loads
-from oracles.models import Craft, Scene, Start
+from oracles.loads import Flight, Loads, loads
+from oracles.models import ArmSpec, Craft, Scene, Start
 
 Array = NDArray[np.float64]
 
@@ -22,18 +22,24 @@ Array = NDArray[np.float64]
 POINT = 1e-14
 
 
-def _xml(craft: Craft, gravity: float) -> str:
-    i = craft.inertia
-    full = " ".join(repr(float(x)) for x in (*i.diagonal(), i[0, 1], i[0, 2], i[1, 2]))
-    arms = "".join(
-        f"""
-        <body name="arm{k}" pos="0 0 0">
-          <joint type="slide" axis="{math.cos(arm.azimuth)!r} {math.sin(arm.azimuth)!r} 0"
+def _arm_xml(number: int, arm: ArmSpec) -> str:
+    """A mass on a slide joint; of an arm that does not slide, a massless body where its end is."""
+    x, y = math.cos(arm.azimuth), math.sin(arm.azimuth)
+    if not arm.slides:
+        assert arm.mass == 0.0
+        return f'<body name="arm{number}" pos="{arm.length * x!r} {arm.length * y!r} 0"/>'
+    return f"""
+        <body name="arm{number}" pos="0 0 0">
+          <joint type="slide" axis="{x!r} {y!r} 0"
                  limited="false" damping="0" stiffness="0" armature="0"/>
           <inertial pos="0 0 0" mass="{arm.mass!r}" diaginertia="{POINT} {POINT} {POINT}"/>
         </body>"""
-        for k, arm in enumerate(craft.arms)
-    )
+
+
+def _xml(craft: Craft, gravity: float) -> str:
+    i = craft.inertia
+    full = " ".join(repr(float(x)) for x in (*i.diagonal(), i[0, 1], i[0, 2], i[1, 2]))
+    arms = "".join(_arm_xml(k, arm) for k, arm in enumerate(craft.arms))
     return f"""
     <mujoco>
       <compiler angle="radian" autolimits="false" boundmass="0" boundinertia="0"
@@ -64,21 +70,26 @@ class Vehicle:
         self.model = mujoco.MjModel.from_xml_string(_xml(craft, gravity))
         self.data = mujoco.MjData(self.model)
         self.main = self.model.body("main").id
+        self.sliding = np.array([arm.slides for arm in craft.arms])
         self.arms = [self.model.body(f"arm{k}").id for k in range(len(craft.arms))]
 
     def accelerations(
         self, scene: Scene, now: Start, time: float = 0.0
     ) -> tuple[Array, Array, Array]:
         """v̇ in world axes, ω̇ in body axes and l̈ at one instant."""
+        return self.accelerations_under(loads(scene, now, time), now)
+
+    def accelerations_under(self, acting: Loads, now: Start) -> tuple[Array, Array, Array]:
+        """The same under given loads; 0 for arms that do not slide."""
         model, data = self.model, self.data
         unit = now.attitude / np.linalg.norm(now.attitude)
-        data.qpos[:] = np.concatenate([now.position, unit, now.lengths])
-        data.qvel[:] = np.concatenate([now.velocity, now.omega, now.rates])
+        sliding = self.sliding
+        data.qpos[:] = np.concatenate([now.position, unit, now.lengths[sliding]])
+        data.qvel[:] = np.concatenate([now.velocity, now.omega, now.rates[sliding]])
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
-        acting = loads(scene, now, time)
         applied = np.zeros(model.nv)
-        applied[6:] = acting.joint
+        applied[6:] = acting.joint[sliding]
         for k, body in enumerate(self.arms):
             mujoco.mj_applyFT(
                 model, data, acting.force[k], acting.moment[k], acting.point[k], body, applied
@@ -88,14 +99,30 @@ class Vehicle:
         )
         data.qfrc_applied[:] = applied
         mujoco.mj_forward(model, data)
-        return data.qacc[:3].copy(), data.qacc[3:6].copy(), data.qacc[6:].copy()
+        arms = np.zeros(len(sliding))
+        arms[sliding] = data.qacc[6:]
+        return data.qacc[:3].copy(), data.qacc[3:6].copy(), arms
 
 
-def _quaternion_rate(q: Array, omega: Array) -> Array:
-    """½ q ⊗ (0, ω)."""
-    rate = np.zeros(4)
-    mujoco.mju_mulQuat(rate, q, np.concatenate([[0.0], omega]))
-    return 0.5 * rate
+def unknowns(start: Start) -> Array:
+    """Position, attitude, velocity, angular velocity, lengths and rates in a row."""
+    return np.concatenate(
+        [start.position, start.attitude, start.velocity, start.omega, start.lengths, start.rates]
+    )
+
+
+def state_at(x: Array) -> Start:
+    """The state of a row of `unknowns`."""
+    lengths, rates = np.split(x[13:], 2)
+    return Start(x[:3], x[3:7], x[7:10], x[10:13], lengths, rates)
+
+
+def slope_of(now: Start, accelerations: tuple[Array, Array, Array]) -> Array:
+    """Rates of `unknowns`; that of the attitude is ½ q ⊗ (0, ω)."""
+    turning = np.zeros(4)
+    mujoco.mju_mulQuat(turning, now.attitude, np.concatenate([[0.0], now.omega]))
+    linear, angular, arms = accelerations
+    return np.concatenate([now.velocity, 0.5 * turning, linear, angular, now.rates, arms])
 
 
 def fly(scene: Scene, start: Start, *, until: float, step: float) -> Flight:
@@ -108,20 +135,12 @@ def fly(scene: Scene, start: Start, *, until: float, step: float) -> Flight:
         step: Of the Runge-Kutta method [s].
     """
     vehicle = Vehicle(scene.craft, scene.gravity)
-    count = len(scene.craft.arms)
-
-    def placed(x: Array) -> Start:
-        return Start(x[:3], x[3:7], x[7:10], x[10:13], x[13 : 13 + count], x[13 + count :])
 
     def slope(x: Array, time: float) -> Array:
-        here = placed(x)
-        linear, angular, arms = vehicle.accelerations(scene, here, time)
-        turning = _quaternion_rate(here.attitude, here.omega)
-        return np.concatenate([here.velocity, turning, linear, angular, here.rates, arms])
+        here = state_at(x)
+        return slope_of(here, vehicle.accelerations(scene, here, time))
 
-    x = np.concatenate(
-        [start.position, start.attitude, start.velocity, start.omega, start.lengths, start.rates]
-    )
+    x = unknowns(start)
     peak = 0.0
     for k in range(round(until / step)):
         t = k * step
@@ -133,4 +152,4 @@ def fly(scene: Scene, start: Start, *, until: float, step: float) -> Flight:
         x = x + step / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
         x[3:7] /= np.linalg.norm(x[3:7])
     peak = max(peak, float(np.linalg.norm(slope(x, until)[7:10])))
-    return Flight(placed(x), peak)
+    return Flight(state_at(x), peak)

@@ -153,9 +153,17 @@ def solids_force(solids: tuple[Solid, ...], part: Part, time: float) -> tuple[Ar
     force, moment = np.zeros(3), np.zeros(3)
     for solid in solids:
         at = STILL if solid.motion is None else solid.motion(time)
-        for touch in _touches(_moved(_field(solid), at), part):
-            push, turn = _force(solid, at, part, touch)
-            force, moment = force + push, moment + turn
+        push, turn = solid_force(solid, at, part)
+        force, moment = force + push, moment + turn
+    return force, moment
+
+
+def solid_force(solid: Solid, at: Placed, part: Part) -> tuple[Array, Array]:
+    """Force of one solid that is somewhere, and its moment about the part's centre [N, N m]."""
+    force, moment = np.zeros(3), np.zeros(3)
+    for touch in _touches(_moved(_field(solid), at), part):
+        push, turn = _force(solid, at, part, touch)
+        force, moment = force + push, moment + turn
     return force, moment
 
 

@@ -182,12 +182,12 @@ def test_the_ledger_of_a_tumbling_drop_on_the_ground_closes(hull: str) -> None:
         assert abs(value(flight, "ledger_residual")) < 1e-6
 
 
-#: What each shape is hit with.  Boxes and points wedged into a window leave 2 % of the energy, at any
-#: step: open, see docs/decisions/0028.
+#: What each shape is hit with.  A box wedged into a window leaves 2 % of the energy at any step, a ring
+#: 0.3 %: open, see docs/decisions/0028.
 EDGED = [
     (hull, shape)
     for shape in ("pole", "box", "window", "stairs", "sphere") for hull in HULLS
-    if shape != "window" or hull in ("sphere", "capsule")
+    if shape != "window" or hull in ("sphere", "capsule", "points")
 ]  # fmt: skip
 
 

@@ -67,20 +67,25 @@ def test_force_and_opposite_force_are_equal(name: str) -> None:
     assert abs(given[0]) > 1e-4
 
 
-def test_energy_of_both_together_is_kept_but_for_the_losses() -> None:
+@pytest.mark.parametrize("name", MEETINGS)
+def test_energy_of_both_together_is_kept_but_for_the_losses(name: str) -> None:
     """What both had is what both have and what was lost; neither ledger hides the other's."""
-    first, second = meeting("head-on")
+    both = meeting(name)
 
-    def total(name: str) -> float:
-        return sum(flight.measures[name] or 0.0 for flight in (first, second))  # type: ignore[literal-required]
+    def total(measure: str) -> float:
+        return sum(flight.measures[measure] or 0.0 for flight in both)  # type: ignore[literal-required]
 
     lost = sum(
-        total(name)
-        for name in ("loss_arm", "loss_contact", "loss_friction", "loss_stop", "loss_settling")
+        total(measure)
+        for measure in ("loss_arm", "loss_contact", "loss_friction", "loss_stop", "loss_settling")
     )
-    assert lost > 0.1
-    before = 0.5 * first.scenario.vehicle.mass * (1.5**2 + 1.0**2)
-    assert total("energy_end") + lost == pytest.approx(before, rel=5e-6)
+    assert lost > 0.03
+    speeds = [start["speed"] for start in MEETINGS[name]]
+    before = sum(
+        0.5 * flight.scenario.vehicle.mass * speed**2
+        for flight, speed in zip(both, speeds, strict=True)
+    )
+    assert total("energy_end") + lost == pytest.approx(before, rel=1e-6)
 
 
 def test_both_see_the_same_in_the_frame_of_the_other() -> None:
@@ -133,6 +138,18 @@ def test_what_cannot_fly_together_is_refused(what: str) -> None:
     changes, words = WRONG[what]
     with pytest.raises(InputError, match=words):
         fly_pair(tables(0.0, 1.0), tables(0.7, 0.0, **changes))
+
+
+@pytest.mark.parametrize("deep", [0.004, 0.2])
+def test_a_start_in_each_other_is_refused(deep: float) -> None:
+    """Cages that overlap, and one vehicle in the middle of the other."""
+    reach = 2.0 * (0.19 * np.sqrt(0.5) + 0.11)
+    with pytest.raises(
+        InputError, match=r"second: start\.position: puts a part of it 0\.\d+ m inside"
+    ):
+        fly_pair(tables(0.0, 1.0), tables(reach - deep, 0.0, yaw=np.pi))
+    beside = [tables(x, 0.0, yaw=yaw, duration=1e-3) for x, yaw in ((0.0, 0.0), (reach, np.pi))]
+    assert fly_pair(*beside).first.measures["end_time"] == pytest.approx(1e-3)
 
 
 def test_a_moving_obstacle_is_not_struck_by_two() -> None:

@@ -7,13 +7,16 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from springback.contact.cage import LANDED
 from springback.contact.library import WALL
 from springback.contact.parameters import SurfaceSettings
 from springback.contact.scene.faces import SolidScene
 from springback.contact.shapes import ShapeSettings
-from springback.contact.surfaces import AnyExponent
+from springback.contact.surfaces import AnyExponent, Surface
 from springback.contact.worlds import obstacles
+from springback.dynamics.clearance import clearance
 from springback.errors import InputError
+from springback.kernels.routines import routines_compiled
 from springback.results.columns import telemetry_columns, trajectory_columns, work_columns
 from springback.results.flight import Flight, as_scenario, guided_result, ready_flight
 from springback.scenario.build import ReadyFlight
@@ -23,7 +26,7 @@ from springback.simulation.flight import FlightRecord
 from springback.simulation.guided import GuidedFlown, ticks_of
 from springback.simulation.measures import measures_of, outcome_of
 from springback.simulation.noise import noise_table
-from springback.simulation.pair.flying import PairedFlight, fly_both
+from springback.simulation.pair.flying import PairedFlight, beside_each_other, fly_both
 
 #: Contact of two cages: as one of them against a wall, twice in series (k^(−2/3) adds).
 TWO_CAGES = WALL.model_copy(update={"stiffness": WALL.stiffness / 2.0**WALL.exponent})
@@ -76,6 +79,7 @@ def fly_pair(
         raise InputError("surface.law: must not be impulse between two vehicles")
     if law.presliding > 0.0:
         raise InputError("surface.friction_law: must not be bristle between two vehicles")
+    _check_apart(sides[0], sides[1], law)
     period = 1.0 / scenarios[0].clock
     results = fly_both(sides[0], sides[1], law, period=period, trace=trajectory, progress=progress)
     flights = [_flight_of(*both) for both in zip(scenarios, results, strict=True)]
@@ -107,6 +111,19 @@ def _check_common(first: Scenario, second: Scenario) -> None:
             raise InputError(
                 f"world.obstacles[{k}].surface.law: must not be impulse beside a second vehicle"
             )
+
+
+def _check_apart(first: PairedFlight, second: PairedFlight, surface: Surface) -> None:
+    """Reject a start in which a part of one vehicle is inside the other."""
+    ours, _ = beside_each_other(first, second, surface)
+    model, start = ours.model, ours.start
+    with routines_compiled():
+        gap = clearance(model.airframe, model.world, model.contact_point, start)
+    if gap < -LANDED:
+        raise InputError(
+            f"second: start.position: puts a part of it {-gap:.3g} m inside the first vehicle "
+            f"(got {list(second.start.position)} m)"
+        )
 
 
 def _side(scenario: Scenario, name: str) -> PairedFlight:

@@ -27,8 +27,8 @@ from springback.contact.loads import CageContact, face_contact
 from springback.contact.obstacles import World
 from springback.contact.surfaces import Surface, slip_velocity
 from springback.dynamics.energy import about_mass_centre, energy, spread
-from springback.dynamics.motion import LANDED, RESTING, Motion, Work
-from springback.kernels.compiler import rare_kernel
+from springback.dynamics.motion import LANDED, RESTING, Free, Motion, Slider, Work
+from springback.kernels.compiler import generic, rare_kernel
 from springback.kernels.trees import one_tuple, tree_map, tree_sum
 from springback.kernels.vectors import Mat3, Vec, positive_part, solve_symmetric
 from springback.vehicle.state import Airframe, Arm, State, arm_pose, arms_inertia
@@ -102,11 +102,62 @@ def _hits_of_hull(hull: Any, obstacles: Any, body: BodyMotion) -> tuple[ImpulseC
     return tree_map(_hit_by_hull, (hull_faces(hull, obstacles, 1.0),), (hull, body))
 
 
+class ImpulseEffect(NamedTuple):
+    """Jump of the motion of a rigid body."""
+
+    linear: Vec  # of the velocity of the centre of mass, world [m/s]
+    angular: Vec  # world [rad/s]
+
+
+@generic
+def jump_of_motion(
+    guide: Any, mass: float, inertia: Mat3, r: Mat3, lever: Vec, impulse: Vec
+) -> ImpulseEffect:
+    """Effect of an impulse [N s] at a lever from the centre of mass [m], world axes."""
+    raise TypeError(f"{type(guide).__name__} is not a guide")
+
+
+@jump_of_motion.register(Free)
 @rare_kernel
-def _give(mass: float, inertia: Mat3, r: Mat3, lever: Vec, along: Vec) -> float:
-    """Mobility: velocity of a point along a direction per unit impulse there along it [1/kg]."""
+def _free_jump(
+    guide: Free, mass: float, inertia: Mat3, r: Mat3, lever: Vec, impulse: Vec
+) -> ImpulseEffect:
+    turn = r @ solve_symmetric(inertia, (lever ^ impulse) @ r)
+    return ImpulseEffect(impulse * (1.0 / mass), turn)
+
+
+@jump_of_motion.register(Slider)
+@rare_kernel
+def _slider_jump(
+    guide: Slider, mass: float, inertia: Mat3, r: Mat3, lever: Vec, impulse: Vec
+) -> ImpulseEffect:
+    """Along the slider alone: the rail takes the rest, and all moments."""
+    along = guide.axis @ impulse
+    return ImpulseEffect(guide.axis * (along / mass), Vec(0.0, 0.0, 0.0))
+
+
+@generic
+def mobility(guide: Any, mass: float, inertia: Mat3, r: Mat3, lever: Vec, along: Vec) -> float:
+    """Velocity of a point along a direction per unit impulse there along it [1/kg]."""
+    raise TypeError(f"{type(guide).__name__} is not a guide")
+
+
+@mobility.register(Free)
+@rare_kernel
+def _free_mobility(
+    guide: Free, mass: float, inertia: Mat3, r: Mat3, lever: Vec, along: Vec
+) -> float:
     turn = r @ solve_symmetric(inertia, (lever ^ along) @ r)
     return 1.0 / mass + along @ (turn ^ lever)
+
+
+@mobility.register(Slider)
+@rare_kernel
+def _slider_mobility(
+    guide: Slider, mass: float, inertia: Mat3, r: Mat3, lever: Vec, along: Vec
+) -> float:
+    share = guide.axis @ along
+    return share * share / mass
 
 
 @rare_kernel
@@ -116,7 +167,9 @@ def _part(closing: float) -> float:
 
 
 @rare_kernel
-def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion: Motion) -> Motion:
+def apply_impulses(
+    airframe: Airframe, world: World, contact_point: Any, guide: Any, motion: Motion
+) -> Motion:
     """Motion just after the impulses of all parts that touch and approach.
 
     The tangential impulse opposes the slip and is at most μ times the normal one.  A cage that has
@@ -152,7 +205,7 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
             n, rho = hit.normal, hit.lever - centre
             closing = -((v + (w ^ rho)) @ n)
             if (hit.closing > 0.0) & (closing > STILL):
-                part[k] = _part(closing) / _give(m, inertia, r, rho, n)
+                part[k] = _part(closing) / mobility(guide, m, inertia, r, rho, n)
                 rebound[k] = hit.surface.restitution if closing > RESTING else 0.0
                 tolerated = STRUCK_AGAIN if closing > RESTING else tolerated
                 open_[k], active = True, active + 1
@@ -173,12 +226,12 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
                 speed = math.sqrt(slip @ slip)
                 if speed > 0.0:
                     t = slip * (1.0 / speed)
-                    stopping = speed / (_give(m, inertia, r, rho, t) * active)
+                    stopping = speed / (mobility(guide, m, inertia, r, rho, t) * active)
                     limit = hit.surface.friction * part[k]
                     rub[k] = t * -(stopping if stopping < limit else limit)
                 impulse = n * part[k] + rub[k]
-                dv = dv + impulse * (1.0 / m)
-                dw = dw + r @ solve_symmetric(inertia, (rho ^ impulse) @ r)
+                jump = jump_of_motion(guide, m, inertia, r, rho, impulse)
+                dv, dw = dv + jump.linear, dw + jump.angular
         # The fraction of it up to the next end of a compression or of a restitution.
         share, next_ = 1.0, -1
         for k in range(count):
@@ -216,7 +269,7 @@ def apply_impulses(airframe: Airframe, world: World, contact_point: Any, motion:
             closing = -((v + (w ^ rho)) @ n)
             if hit.near > 0.0 and not open_[k] and closing > tolerated:
                 if part[k] == 0.0:
-                    part[k] = _part(closing) / _give(m, inertia, r, rho, n)
+                    part[k] = _part(closing) / mobility(guide, m, inertia, r, rho, n)
                 rebound[k] = hit.surface.restitution if closing > RESTING else 0.0
                 open_[k], active, taken[k], given_back[k] = True, active + 1, 0.0, 0.0
 

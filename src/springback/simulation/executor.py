@@ -85,8 +85,7 @@ def settled_motion(model: Model, motion: Motion) -> Motion:
     after = energy(model.airframe, model.world, model.contact_point, state)
     lost = before.kinetic + before.gravity + before.springs + before.stops
     lost -= after.kinetic + after.gravity + after.springs + after.stops
-    work = replace(motion.work, settling=motion.work.settling + lost)
-    return Motion(state, work)
+    return Motion(state, replace(motion.work, settling=motion.work.settling + lost))
 
 
 @generic
@@ -101,7 +100,8 @@ def motion_after_event(
 @rare_kernel
 def _motion_after_impulses(laws: Impulses, model: Model, motion: Motion, request: float) -> Motion:
     if request == APPLY_IMPULSE:
-        return apply_impulses(model.airframe, model.world, model.contact_point, motion)
+        of = model
+        return apply_impulses(of.airframe, of.world, of.contact_point, of.guide, motion)
     return settled_motion(model, motion)
 
 

@@ -16,7 +16,7 @@ from springback.contact.cage import Ring
 from springback.contact.obstacles import Impulses, Obstacle, Plane, World
 from springback.contact.surfaces import BothTangents, Surface, ThreeHalves
 from springback.dynamics.impulse import apply_impulses
-from springback.dynamics.motion import Motion, Work
+from springback.dynamics.motion import Free, Motion, Work
 from springback.kernels.compiler import executor
 from springback.kernels.vectors import Mat3, Quat, Vec
 from springback.studies.recordings.planar_impacts import (
@@ -54,7 +54,7 @@ NO_WORK = Work(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, NONE)
 @executor()
 def _after_impact(airframe: Airframe, world: World, motion: Motion, after: Array) -> None:
     """Velocity of the centre and angular velocity after an impact."""
-    found = apply_impulses(airframe, world, Ring(0.1), motion).state
+    found = apply_impulses(airframe, world, Ring(0.1), Free(0.0), motion).state
     after[0], after[1] = found.velocity.x, found.velocity.z
     after[2] = -found.angular_velocity.y
 
