@@ -352,6 +352,24 @@ def test_a_ring_meets_the_lowest_point_of_a_form(name: str) -> None:
         assert found.gap == pytest.approx(low, abs=1e-8)
 
 
+def test_a_ring_below_a_height_map_meets_its_level_bottom() -> None:
+    """As it meets the box; in the middle, where the sides are farther away than the ground."""
+    level = height_file(np.full((8, 8), 0.25), folder() / "level.npy")
+    flat = HeightMap(
+        type="heightmap", file=level, size=(2.0, 2.0), position=(0, 0, 0), surface=WALL
+    )
+    box = Box(type="box", position=(0, 0, 0), size=(2.0, 2.0, 0.5), edge_radius=0.0, surface=WALL)
+    chance = np.random.default_rng(12)
+    for _ in nonempty(range(60)):
+        centre = Vec(*chance.uniform([-0.6, -0.6, -0.4], [0.6, 0.6, -0.25]).tolist())
+        r, pose = turn(chance), ArmPose(Vec(1.0, 0.0, 0.0), STILL, STILL)
+        one, two = (
+            contact_faces(obstacles_in_body_frame(w, centre, r), Ring(0.0), RADIUS, pose, 1.0)[0]
+            for w in (scene(flat), scene(box))
+        )
+        assert one.nearest.gap == pytest.approx(two.nearest.gap, abs=1e-8)
+
+
 @pytest.mark.parametrize("name", FORMS)
 def test_the_gap_of_a_sphere_is_the_distance_of_its_centre(name: str) -> None:
     """Less its radius, pushed out along the gradient."""

@@ -194,7 +194,7 @@ def height_probe(q: Vec, half: Vec, table: float, share: float, reach: float) ->
     if aside.gap < 0.0:
         at = relief_at(q.x, q.y, half, table)
         above, square = q.z - at.height, 1.0 + at.x * at.x + at.y * at.y
-        if above > aside.gap:
+        if (above > aside.gap) & (above > -half.z - q.z):  # neither a side nor the bottom is nearer
             tilt = above / square
             n = Vec(
                 -at.x - tilt * (at.x * at.xx + at.y * at.xy),
