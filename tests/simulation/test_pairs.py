@@ -121,7 +121,7 @@ def test_a_hovering_robot_is_hit_and_both_meet_the_ground() -> None:
 
 
 WRONG: dict[str, tuple[dict[str, Any], str]] = {
-    "another world": ({"gravity": 1.0}, "world: must be the same"),
+    "another world": ({"gravity": 1.0}, "world.gravity: must be the same"),
     "another duration": ({"duration": 0.3}, "simulation.duration: must be the same"),
     "thrusts over time": ({"thrust": {"time": [0.0, 1.0], "values": [[1.0] * 4, [2.0] * 4]}}, "second.thrust"),
 }  # fmt: skip
