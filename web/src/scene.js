@@ -538,6 +538,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     },
     /** Numbers of what is shown. */
     pose: () => ({ t: state.t, camera: state.camera, pixels: state.share, flights: state.poses ?? [],
+      places: actors.map(({ group, robot }) => robot.group.position.clone().add(group.position).toArray()), // where they are drawn
       estimates: state.estimate ? state.flights.map((flight) => (hasEstimate(flight) ? estimateAt(flight, state.t) : null)) : [] }),
     /** Graphics resources in use, for tests of leaks. */
     memory: () => ({ ...renderer?.info.memory }),

@@ -221,7 +221,7 @@ OF_THE_WORLD = ("world", "clock", "simulation", "second")
 
 
 def second_tables(given: Any) -> Any:
-    """Raw second vehicle, the name of a scenario file replaced by its vehicle's tables.
+    """Raw second vehicle, the names of a scenario file and of one of a vehicle replaced by tables.
 
     Its world, clock, duration and steps are not read: they are those of the other scenario.
 
@@ -230,14 +230,21 @@ def second_tables(given: Any) -> Any:
     """
     word = given.get("preset") if isinstance(given, Mapping) else given
     if word is None:
-        return given
+        return _with_vehicle(given)
     with within(*(() if isinstance(given, str) else ("preset",))):
         if not is_vehicle_file(word):
             raise InputError(f"must be the path of a scenario file (got {shown_value(word)})")
         found = toml_tables(source_text(Path(word)), str(word))
     own = {} if isinstance(given, str) else {k: v for k, v in given.items() if k != "preset"}
     kept = {key: value for key, value in found.items() if key not in OF_THE_WORLD}
-    return merge(with_absolute_names(kept, Path(word).parent), own)
+    return _with_vehicle(merge(with_absolute_names(kept, Path(word).parent), own))
+
+
+def _with_vehicle(tables: Any) -> Any:
+    """Raw tables in which the file of a vehicle is replaced by its values."""
+    vehicle = tables.get("vehicle") if isinstance(tables, Mapping) else None
+    word = vehicle.get("preset") if isinstance(vehicle, Mapping) else vehicle
+    return {**tables, "vehicle": vehicle_table(vehicle)} if is_vehicle_file(word) else tables
 
 
 def _second(given: Any, scenario: Mapping[str, Any]) -> Any:

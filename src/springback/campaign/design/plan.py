@@ -396,9 +396,6 @@ def _second_tables(given: Any, source: Source) -> Any:
         raise InputError(source.problem_line(("scenario", "second"), str(error))) from None
     if not isinstance(tables, dict):
         return tables
-    vehicle = tables.get("vehicle")
-    if is_vehicle_file(vehicle.get("preset") if isinstance(vehicle, dict) else vehicle):
-        tables = {**tables, "vehicle": vehicle_table(vehicle)}
     return {key: value for key, value in tables.items() if key != "seed"}
 
 

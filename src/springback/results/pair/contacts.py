@@ -49,18 +49,18 @@ def loads_on_second(
     seen = seen_beside(scenario, first, second)
     world = load_history(seen.other, second, places)
     found = [(world.part, world.force, world.point)]
-    normal, friction = world.normal.copy(), world.friction.copy()
+    normal, rubbing = world.normal.copy(), world.rubbing.copy()
     for k in range(normal.shape[1]):
         met = load_history(seen.of_part(k), seen.columns, places)
         found.append(((k,) * len(met.part), -met.force, met.point))
         normal[:, k] += met.normal.sum(axis=1)
-        friction[:, k] += met.friction.sum(axis=1)
+        rubbing[:, k] -= met.rubbing.sum(axis=1)
     part = tuple(number for parts, _, _ in found for number in parts)
     force, point = (np.concatenate([one[i] for one in found], axis=1) for i in (1, 2))
     acts = np.abs(force).max(axis=(0, 2), initial=0.0) > 0.0
     acts[: len(world.part)] = True
     part = tuple(number for number, there in zip(part, acts, strict=True) if there)
-    return LoadHistory(part, force[:, acts], point[:, acts], normal, friction, world.energy)
+    return LoadHistory(part, force[:, acts], point[:, acts], normal, rubbing, world.energy)
 
 
 class SeenBeside(NamedTuple):
