@@ -12,6 +12,7 @@ from builders.pairs import two, vehicle
 from springback.errors import InputError
 from springback.scenario.files import read_scenario
 from springback.scenario.scenario import Scenario, scenario_from
+from springback.scenario.warnings import scenario_warnings
 
 FIRST = """
 vehicle = "arq"
@@ -151,3 +152,10 @@ def test_the_file_of_a_second_vehicle_is_named(tmp_path: Path) -> None:
     (tmp_path / "first.toml").write_text(FIRST)
     with pytest.raises(InputError, match=r"other\.toml"):
         read_scenario(tmp_path / "first.toml")
+
+
+def test_warnings_tell_of_which_vehicle_they_are() -> None:
+    """A table that only a pilot reads, of a second vehicle without one; none of its clock."""
+    assert scenario_warnings(scenario_from(two())) == []
+    [said] = scenario_warnings(scenario_from(two({**vehicle(0.6, -1.0), "control": {}})))
+    assert said.startswith("second: control is not used")

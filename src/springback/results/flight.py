@@ -69,6 +69,7 @@ class Flight(FlightResult):
 
     if TYPE_CHECKING:
         second: Flight | None
+        """Flight of the second vehicle, if the scenario has one: at the same instants."""
 
     @functools.cached_property
     def events(self) -> tuple[Event, ...]:

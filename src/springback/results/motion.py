@@ -41,7 +41,7 @@ from springback.kernels.compiler import executor, kernel, user_executor
 from springback.kernels.layout import Buffer, TreeLayout, read, write
 from springback.kernels.trees import leaves, names, rebuilt, tree_map, tree_sum
 from springback.kernels.vectors import Vec
-from springback.results.pair.contacts import seen_beside
+from springback.results.pair.contacts import pair_view
 from springback.results.result import FlightResult
 from springback.scenario.avionics import devices_of, normals_at_start, propulsion_of
 from springback.scenario.model import RING_ROUNDING
@@ -315,7 +315,7 @@ def _contact_moment(model: Model, flight: FlightResult) -> Array:
         )
     if flight.second is None:
         return contact_history(model, flight).moment.copy()
-    seen = seen_beside(flight.scenario, flight.columns, flight.second.columns)
+    seen = pair_view(flight.scenario, flight.columns, flight.second.columns)
     return contact_history(seen.model, replace(flight, columns=seen.columns)).moment.copy()
 
 

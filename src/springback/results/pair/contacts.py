@@ -35,7 +35,7 @@ def loads_on_first(
         second: That of the second, at the same instants.
         places: Rows of the instants.
     """
-    seen = seen_beside(scenario, first, second)
+    seen = pair_view(scenario, first, second)
     return load_history(seen.model, seen.columns, places)
 
 
@@ -46,7 +46,7 @@ def loads_on_second(
 
     Elastic energy of the contact between both is the first's.  Arguments as for `loads_on_first`.
     """
-    seen = seen_beside(scenario, first, second)
+    seen = pair_view(scenario, first, second)
     world = load_history(seen.other, second, places)
     found = [(world.part, world.force, world.point)]
     normal, rubbing = world.normal.copy(), world.rubbing.copy()
@@ -63,7 +63,7 @@ def loads_on_second(
     return LoadHistory(part, force[:, acts], point[:, acts], normal, rubbing, world.energy)
 
 
-class SeenBeside(NamedTuple):
+class PairView(NamedTuple):
     """The first of two vehicles, to which the parts of the second are moving obstacles."""
 
     model: Model
@@ -79,7 +79,7 @@ class SeenBeside(NamedTuple):
         return _with_bodies(self.model, lambda k: k == number, nothing)
 
 
-def seen_beside(scenario: Scenario, first: Columns, second: Columns) -> SeenBeside:
+def pair_view(scenario: Scenario, first: Columns, second: Columns) -> PairView:
     """The first of two vehicles that flew together, for its contacts to be evaluated again.
 
     Args:
@@ -102,7 +102,7 @@ def seen_beside(scenario: Scenario, first: Columns, second: Columns) -> SeenBesi
     world = model.world._replace(obstacles=scene._replace(bodies=numbered))
     parts = part_columns(other.true_airframe(), second)
     alone = _with_bodies(opposite, lambda k: False)
-    return SeenBeside(model._replace(world=world), {**first, **parts}, alone)
+    return PairView(model._replace(world=world), {**first, **parts}, alone)
 
 
 def _with_bodies(
