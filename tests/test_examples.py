@@ -107,9 +107,9 @@ def test_steps_and_run_up_fly_from_an_empty_folder(tmp_path: Path) -> None:
 
 
 def test_the_two_vehicles_of_the_example_meet_and_the_first_recovers() -> None:
-    first, second = springback.fly_pair(
-        *(ROOT / f"examples/pair_{k}.toml" for k in ("first", "second"))
-    )
+    first = springback.fly(ROOT / "examples/pair.toml")
+    second = first.second
+    assert second is not None
     assert first.outcome is springback.Outcome.RECOVERED
     assert first.touch_speed == pytest.approx(1.46, abs=0.01)
     assert second.measures["contacts"] >= 1.0

@@ -28,6 +28,7 @@ from springback.interfaces.animation.bodies import (
 )
 from springback.interfaces.figures.style import STYLE
 from springback.interfaces.output.robots import ROBOTS
+from springback.interfaces.replay.labels import scenes_of
 from springback.interfaces.replay.scene import Scene, scene_of
 
 HERE = Path(__file__).parent
@@ -161,8 +162,7 @@ def drop() -> Any:
 
 def pair() -> Any:
     """Two vehicles that meet, from above."""
-    flights = springback.fly_pair(*(EXAMPLES / f"pair_{one}.toml" for one in ("first", "second")))
-    scenes = [scene_of(flight) for flight in flights]
+    scenes = scenes_of([springback.fly(EXAMPLES / "pair.toml")])
     touch = scenes[0].impacts[0][0]
     instants = (-0.15, 0.015, 0.4, 0.875, 1.5)
     figure, axes = plt.subplots(1, len(instants), figsize=(10.0, 1.8), layout="constrained")

@@ -41,10 +41,10 @@ def sequence(flight: Any) -> Any:
         middle = np.add(view(scene.position[0]), [AHEAD, 0.0])
         for ax, when in zip(axes, INSTANTS, strict=True):
             ax.set(xticks=[], yticks=[])
-            panel = ScenePanel(ax, view, scene, ROBOTS["arq"].colour, 0.75)
+            panel = ScenePanel(ax, view, [scene], [ROBOTS["arq"].colour], 0.75)
             figure.canvas.draw()
             past = scene.position[scene.t <= touch + when]
-            panel.turn(pose(scene, touch + when), past, newton)
+            panel.turn([pose(scene, touch + when)], [past], newton)
             panel.look(middle, HALF)
     for ax, when in zip(rows[0], INSTANTS, strict=True):
         ax.set_title(f"{1e3 * when:+.0f} ms", fontsize=9)

@@ -36,6 +36,8 @@ class Purpose(IntEnum):
     """Scatter and seed of a trial."""
     FOREST = 10
     """Places and radii of trunks."""
+    SECOND = 11
+    """Seed of the second vehicle of a scenario."""
 
 
 def stream(seed: int, purpose: Purpose, *which: int) -> np.random.Generator:

@@ -126,7 +126,7 @@ def test_a_hovering_robot_is_hit_and_both_meet_the_ground() -> None:
 
 
 WRONG: dict[str, tuple[dict[str, Any], str]] = {
-    "another world": ({"gravity": 1.0}, "world: must be the same"),
+    "another world": ({"gravity": 1.0}, "world.gravity: must be the same"),
     "another duration": ({"duration": 0.3}, "simulation.duration: must be the same"),
     "thrusts over time": ({"thrust": {"time": [0.0, 1.0], "values": [[1.0] * 4, [2.0] * 4]}}, "second.thrust"),
 }  # fmt: skip
@@ -145,7 +145,7 @@ def test_a_start_in_each_other_is_refused(deep: float) -> None:
     """Cages that overlap, and one vehicle in the middle of the other."""
     reach = 2.0 * (0.19 * np.sqrt(0.5) + 0.11)
     with pytest.raises(
-        InputError, match=r"second: start\.position: puts a part of it 0\.\d+ m inside"
+        InputError, match=r"second\.start\.position: puts its cages 0\.\d+ m inside"
     ):
         fly_pair(tables(0.0, 1.0), tables(reach - deep, 0.0, yaw=np.pi))
     beside = [tables(x, 0.0, yaw=yaw, duration=1e-3) for x, yaw in ((0.0, 0.0), (reach, np.pi))]

@@ -130,8 +130,11 @@ export function estimateAt(flight, time) {
   };
 }
 
-/** First touch [s], or null. */
-export const touchOf = (flight) => (flight.impacts.length ? flight.impacts[0][0] + flight.shift : null);
+/** First touch in the world of a flight [s], or null. */
+export function touchOf(flight) {
+  const touch = flight.first_touch ?? flight.impacts[0]?.[0] ?? null;
+  return touch === null ? null : touch + flight.shift;
+}
 
 /** First touch of the first flight that touches anything [s], or null. */
 export const firstTouch = (flights) => flights.map(touchOf).find((touch) => touch !== null) ?? null;

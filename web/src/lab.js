@@ -99,7 +99,8 @@ export function startLab(element, data) {
     else controls.tellProblems([]);
     const first = !before || before.settings.mode !== found.settings.mode;
     const many = found.flights.length !== before?.flights.length;
-    scene.replace(found.flights.map((one) => one.scene), { keepCamera: !first && !many });
+    const seconds = found.flights.flatMap((one) => (one.second ? [one.second] : [])); // after the others, whose order counts
+    scene.replace([...found.flights.map((one) => one.scene), ...seconds], { keepCamera: !first && !many });
     compare.hidden = found.flights.length < 2;
     if (first) spans.mark((whole = found.is_piloted) ? "all" : "impact");
     moving = Boolean(how.moving);

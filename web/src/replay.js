@@ -2,7 +2,7 @@
 import { createCapture } from "./capture.js";
 import { createChooser } from "./chooser.js";
 import { choice, create, icon, toggle } from "./elements.js";
-import { hasEstimate, touchOf } from "./flight.js";
+import { hasEstimate } from "./flight.js";
 import { createFullScreen } from "./full_screen.js";
 import { createLink } from "./link.js";
 import { allSignals, plotsOf, standardPanels, textOf } from "./panels.js";
@@ -39,6 +39,7 @@ export function startReplay(element, data) {
   const scene = createScene(stage, { flights: data.flights, onCamera: (mode) => (cameras?.mark(mode), changed()), onDrawn: () => capture?.drawn() });
   const flights = scene.all;
   const many = flights.length > 1;
+  const worlds = new Set(flights.map((flight) => flight.world)).size;
   const names = [...new Set(flights.map((flight) => flight.scenario))];
   const title = names.length > 2 ? `${flights.length} flights` : names.join(" and ");
 
@@ -77,7 +78,7 @@ export function startReplay(element, data) {
     onRemove: (index) => choosePlots(plots.wanted.filter((_, k) => k !== index)),
   });
   const chooser = createChooser({ signals: allSignals(flights), standard: standardPanels(flights), onChoose: choosePlots });
-  const touched = flights.find((flight) => touchOf(flight) !== null);
+  const touched = flights.find((flight) => flight.impacts.length);
   const impact = () => {
     const [begin, end] = touched.impacts[0].map((t) => t + touched.shift);
     const room = 0.35 * Math.min(end - begin, 0.2) + 0.004;
@@ -139,7 +140,7 @@ export function startReplay(element, data) {
   // -- the page -----------------------------------------------------------------------------------
   element.replaceChildren(
     create("header", { class: "top" }, create("div", { class: many ? "flights several" : "flights" }, create("h1", {}, title), ...legend.map((one) => one.element)),
-      create("div", { class: "views" }, cameras, ...(many ? [compare] : []), ...(bends ? [arms] : []), layered)),
+      create("div", { class: "views" }, cameras, ...(worlds > 1 ? [compare] : []), ...(bends ? [arms] : []), layered)),
     create("main", {}, left, create("aside", {}, readouts,
       create("div", { class: "plot-head" }, create("h2", {}, "Over time"), zooms, undo, adding), plotBox, aboutOf(flights))),
     chooser.element, keysBox,
@@ -186,7 +187,7 @@ export function startReplay(element, data) {
       const away = numbers(asked.hide);
       if (!flights.every((_, k) => away.includes(k + 1))) flights.forEach((_, k) => legend[k].shown === away.includes(k + 1) && setShown(k, !away.includes(k + 1)));
     }
-    if (asked.compare === "ghost" && many) compare.press("ghost");
+    if (asked.compare === "ghost" && worlds > 1) compare.press("ghost");
     if (asked.arms === "10" && bends) arms.press("10");
     const others = (asked.layers ?? "").split(",");
     for (const name of Object.keys(layers)) if (others.includes(name) && switches[name].on === layers[name][1]) switches[name].click();

@@ -11,6 +11,8 @@ const ROUND_ARROW = 0.22;
 const BETWEEN = 0.2;
 /** Flights with bodies wider than this are not put side by side, but in one place [m]. */
 const WIDEST = 2.5;
+/** Vehicles of one world that are farther from their middle are not all in the view that follows them [m]. */
+const APART = 1.0;
 /** Flights whose first touches differ by more than this are aligned [s]. */
 const TOGETHER = 5e-3;
 const FOLLOWING = ["follow", "front", "side", "top"];
@@ -190,16 +192,34 @@ export function createScene(element, { flights = [], compare = "side", align = t
     return Math.max(0, high - low);
   }
 
+  /** Numbers of the worlds that are shown; vehicles of one world are in one place. */
+  const worlds = () => [...new Set(state.flights.map((flight) => flight.world))];
+
+  /** Width of the places of vehicles that share a world, across the flights [m]. */
+  function widthOfPlaces(across) {
+    const shared = state.flights.filter((one) => state.flights.some((other) => other !== one && other.world === one.world));
+    const at = new THREE.Vector3();
+    let [low, high] = [Infinity, -Infinity];
+    for (const { position } of shared) {
+      for (let k = 0; k < position.length; k += 3) {
+        const aside = at.fromArray(position, k).dot(across);
+        [low, high] = [Math.min(low, aside), Math.max(high, aside)];
+      }
+    }
+    return Math.max(0, high - low);
+  }
+
   /** "side" or "ghost": as chosen, unless bodies in the way would stand in each other. */
-  const comparison = () => (state.flights.length > 1 && widthOfBodies(leftward()) > WIDEST ? "ghost" : state.compare);
+  const comparison = () => (worlds().length > 1 && widthOfBodies(leftward()) > WIDEST ? "ghost" : state.compare);
 
   function offsets() {
     if (comparison() !== "side") return state.flights.map(() => [0, 0, 0]);
     const across = leftward();
     const reach = Math.max(...state.flights.map(reachOf));
-    const apart = Math.max(2 * reach, widthOfBodies(across)) + BETWEEN;
-    const middle = 0.5 * (state.flights.length - 1);
-    return state.flights.map((_, k) => across.clone().multiplyScalar((middle - k) * apart).toArray());
+    const apart = Math.max(2 * reach + widthOfPlaces(across), widthOfBodies(across)) + BETWEEN;
+    const all = worlds();
+    const middle = 0.5 * (all.length - 1);
+    return state.flights.map(({ world }) => across.clone().multiplyScalar((middle - all.indexOf(world)) * apart).toArray());
   }
 
   /** Replace the flights; the camera is kept if requested. */
@@ -228,7 +248,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
       const group = new THREE.Group();
       group.position.set(...places[k]);
       content.add(group);
-      const ghost = k > 0 && comparison() === "ghost";
+      const ghost = flight.world !== worlds()[0] && comparison() === "ghost";
       const robot = new Robot(flight, { colour: flight.colour, opacity: ghost ? 0.35 : 1 }, colours);
       const path = new Path(flight, colours, resolution);
       const arrows = flight.part.map(() => new Arrow(colours.force, 0.007, ghost ? 0.4 : 0.95));
@@ -395,8 +415,8 @@ export function createScene(element, { flights = [], compare = "side", align = t
     const reach = Math.max(...state.flights.map(reachOf));
     const places = actors.map((actor) => actor.group.position);
     const apart = places[0].distanceTo(places[places.length - 1]) / 2;
-    const radius = reach + apart + 0.1;
-    const row = places.length > 2 && apart > 0; // seen along the flight, as wide as the view
+    const radius = reach + apart + scattered() + 0.1;
+    const row = worlds().length > 2 && apart > 0; // seen along the flight, as wide as the view
     const near = row ? Math.max(farFrom(reach + 0.2), radius / (Math.tan(THREE.MathUtils.degToRad(camera.fov / 2)) * camera.aspect) + reach) : farFrom(radius);
     const box = state.box.clone().expandByScalar(reach + 0.1);
     const centre = box.getCenter(new THREE.Vector3());
@@ -410,6 +430,17 @@ export function createScene(element, { flights = [], compare = "side", align = t
       look(followed.clone(), from.clone().normalize().multiplyScalar(state.camera === "side" ? farFrom(radius) : near));
     }
     draw();
+  }
+
+  /** Largest distance of vehicles that share a world from the middle between them now, as far as the view follows [m]. */
+  function scattered() {
+    const away = actors.map(({ flight, robot }) => {
+      const beside = actors.filter((other) => other.flight.world === flight.world);
+      const places = beside.map((other) => other.robot.group.position.clone());
+      const centre = places.reduce((a, b) => a.add(b), new THREE.Vector3()).divideScalar(beside.length);
+      return centre.distanceTo(robot.group.position);
+    });
+    return Math.min(Math.max(...away), APART);
   }
 
   /** Centre of the robots at first touch. */
@@ -507,6 +538,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     },
     /** Numbers of what is shown. */
     pose: () => ({ t: state.t, camera: state.camera, pixels: state.share, flights: state.poses ?? [],
+      places: actors.map(({ group, robot }) => robot.group.position.clone().add(group.position).toArray()), // where they are drawn
       estimates: state.estimate ? state.flights.map((flight) => (hasEstimate(flight) ? estimateAt(flight, state.t) : null)) : [] }),
     /** Graphics resources in use, for tests of leaks. */
     memory: () => ({ ...renderer?.info.memory }),

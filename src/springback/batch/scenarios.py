@@ -22,12 +22,13 @@ from springback.kernels.layout import Buffer, row_of, rows, structure
 from springback.kernels.routines import tables_held
 from springback.progress import Progress, silent, stage
 from springback.recovery.evaluator import EvaluatorMemory
-from springback.results.flight import check_user_code, fly_built, guided_result
+from springback.results.flight import check_user_code, fly_built, guided_result, pair_flight
 from springback.results.recovery_measures import (
     RECOVERY_MEASURES,
     recovery_columns,
     recovery_outcomes,
 )
+from springback.results.saved import SECOND
 from springback.scenario.avionics import normals_at_start
 from springback.scenario.build import ReadyFlight
 from springback.scenario.scenario import scenario_from
@@ -64,6 +65,20 @@ class Rows(NamedTuple):
     """Measures of each flight, all of `MEASURES` and `RECOVERY_MEASURES`; NaN if undefined."""
     problems: list[str]
     """Reason for the refusal of each flight; empty if it was flown."""
+    seconds: list[str]
+    """Outcomes of the second vehicles; empty for a flight of one.  Where any has two, `measures`
+    has those of the second, after ``second_``."""
+
+    @property
+    def columns(self) -> dict[str, Any]:
+        """All of it by column, that of the second vehicles last, if there are any."""
+        given = {"outcome": self.outcomes, "problem": self.problems, **self.measures}
+        return given | ({SECOND + "outcome": self.seconds} if SECOND_NAMES[0] in given else {})
+
+
+#: Measures of a vehicle, and those of a second one.
+NAMES = (*MEASURES, *RECOVERY_MEASURES)
+SECOND_NAMES = tuple(SECOND + name for name in NAMES)
 
 
 class _Fly(NamedTuple):
@@ -103,11 +118,9 @@ def fly_scenarios(
         InputError: If there is no such device.
     """
     count = len(tables)
-    out = Rows(
-        [REFUSED] * count,
-        {name: np.full(count, math.nan) for name in MEASURES | RECOVERY_MEASURES},
-        [""] * count,
-    )
+    names = (*NAMES, *SECOND_NAMES) if any(map(has_second, tables)) else NAMES
+    measures = {name: np.full(count, math.nan) for name in names}
+    out = Rows([REFUSED] * count, measures, [""] * count, [""] * count)
     most = BLOCK if device == "cpu" else GPU_BLOCK
     fly = _on_processor(threads) if device == "cpu" else _on_gpu()
     for first in range(0, count, most):
@@ -155,7 +168,8 @@ def _fly_block(
         return drawn(_seed(tables[number]), gusts is not None)
 
     kinds: dict[Any, _Kind] = {}
-    for group in _groups(tables, block):
+    pairs = [number for number in block if has_second(tables[number])]
+    for group in _groups(tables, sorted(set(block).difference(pairs))):
         flights = group.flights
         for built in built_groups(group, normals, one):
             _collect(built, tables, kinds)
@@ -168,11 +182,35 @@ def _fly_block(
                         _fly_alone(ready, number, out)
                     else:
                         _collect(BuiltGroup([number], ready), tables, kinds)
-    done, all_ready = 0, sum(len(kind.numbers) for kind in kinds.values())
+    done, all_ready = 0, sum(len(kind.numbers) for kind in kinds.values()) + len(pairs)
     for kind in kinds.values():
         size = len(kind.numbers)
         _fly_kind(kind, fly, stage(progress, done / all_ready, size / all_ready), out)
         done += size
+    for number in pairs:
+        _fly_pair(tables[number], number, out)
+        done += 1
+        progress(done / all_ready)
+
+
+def has_second(tables: Mapping[str, Any]) -> bool:
+    """True for a scenario with two vehicles, as plain tables."""
+    return tables.get("second") is not None
+
+
+def _fly_pair(tables: Mapping[str, Any], number: int, out: Rows) -> None:
+    """Fly one flight of two vehicles, and store its results, or the reason why it failed."""
+    try:
+        scenario = scenario_from(tables, False, advises=False)
+        flight = pair_flight(scenario, scenario.build(advises=False), trace=False)
+    except InputError as error:
+        out.problems[number] = "; ".join(error.problems)
+        return
+    assert flight.second is not None
+    out.outcomes[number], out.seconds[number] = flight.outcome.word, flight.second.outcome.word
+    measures = {SECOND + name: value for name, value in flight.second.measures.items()}
+    for name, value in (flight.measures | measures).items():
+        out.measures[name][number] = math.nan if value is None else value
 
 
 def _groups(tables: Sequence[Mapping[str, Any]], block: Sequence[int]) -> list[ScenarioGroup]:

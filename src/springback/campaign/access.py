@@ -42,6 +42,7 @@ from springback.results.database import (
 from springback.results.flight import Flight, fly
 from springback.results.hooks import NotebookPage, hook
 from springback.results.parquet import write_parquet
+from springback.results.saved import SECOND
 from springback.scenario.code_files import changed_files
 from springback.version import __version__
 
@@ -178,7 +179,8 @@ class Campaign:
     @property
     def units(self) -> dict[str, str]:
         """SI units of all columns."""
-        known = {name: unit for name, (unit, _) in known_columns().items()}
+        columns = known_columns(second=self.design.has_second)
+        known = {name: unit for name, (unit, _) in columns.items()}
         return known | dict(self.metadata["units"])
 
     def _ask(
@@ -343,6 +345,9 @@ class Campaign:
         flight = fly(drawn.tables[0], trajectory=trajectory)
         now = {name: values[0] for name, values in drawn.columns.items()}
         now |= {"outcome": flight.outcome.word, **flight.measures}
+        if flight.second is not None:
+            measures = {"outcome": flight.second.outcome.word, **flight.second.measures}
+            now |= {SECOND + name: value for name, value in measures.items()}
         skipped = ("success", "problem")
         different = (
             f"{name}: {row[name]!r} in the row, {now.get(name)!r} now"
@@ -455,11 +460,15 @@ def _answer(found: Any) -> Answer:
 def _write_selected(flight: Flight, stem: Path) -> None:
     """Write trajectory and telemetry, each completely, before the summary that names them."""
     about = {"springback": __version__, "frames": "world NWU, body FLU"}
-    for word, columns in {"trajectory": flight.columns, "telemetry": flight.telemetry}.items():
-        if columns:
-            path = stem.with_name(f"{stem.name}-{word}.parquet")
-            with atomic_file(path) as draft:
-                write_parquet(draft, columns, {name: flight.units[name] for name in columns}, about)
+    for one, prefix in ((flight, ""), (flight.second, SECOND)):
+        if one is None:
+            continue
+        for word, columns in {"trajectory": one.columns, "telemetry": one.telemetry}.items():
+            if columns:
+                path = stem.with_name(f"{stem.name}-{prefix}{word}.parquet")
+                units = {name: one.units[name] for name in columns}
+                with atomic_file(path) as draft:
+                    write_parquet(draft, columns, units, about)
 
 
 def _same(row: Any, now: Any) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from springback.results.recovery_measures import RECOVERY_MEASURES
+from springback.results.saved import SECOND
 from springback.simulation.measures import MEASURES
 
 #: Unit and meaning of the columns of every flight.
@@ -20,6 +21,29 @@ RESULT = {
 }
 
 
-def known_columns() -> dict[str, tuple[str, str]]:
-    """Unit and meaning of the columns of all campaigns."""
-    return {**FLIGHT, **RESULT, **MEASURES, **RECOVERY_MEASURES}
+#: Unit and meaning of the outcome of a second vehicle.
+SECOND_OUTCOME = {SECOND + "outcome": ("", "how the flight of the second vehicle ended")}
+
+
+def measured_columns(*, second: bool) -> dict[str, tuple[str, str]]:
+    """Unit and meaning of the measures of a flight.
+
+    Args:
+        second: True if there are those of a second vehicle, too.
+    """
+    found = {**MEASURES, **RECOVERY_MEASURES}
+    more = {
+        SECOND + name: (unit, f"of the second vehicle: {about}")
+        for name, (unit, about) in found.items()
+    }
+    return {**found, **more} if second else found
+
+
+def known_columns(*, second: bool = True) -> dict[str, tuple[str, str]]:
+    """Unit and meaning of the columns of all campaigns.
+
+    Args:
+        second: True for those of campaigns of two vehicles, too.
+    """
+    outcome = SECOND_OUTCOME if second else {}
+    return {**FLIGHT, **RESULT, **outcome, **measured_columns(second=second)}

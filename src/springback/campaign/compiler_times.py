@@ -23,7 +23,7 @@ from springback.kernels.compiler import cache_folder, is_writable, source_digest
 from springback.kernels.layout import structure
 from springback.results.flight import fly
 from springback.results.sealed_json import digest_of
-from springback.scenario.scenario import scenario_from
+from springback.scenario.scenario import Scenario, scenario_from
 
 RECORD = "compiler_times.json"
 #: Processor time to compile a kind of flight that was not recorded yet, without a pilot and with
@@ -67,14 +67,23 @@ def flight_kinds(tables: Sequence[Mapping[str, Any]], *, alone: bool = False) ->
     found: dict[str, FlightKind] = {}
     for given in tables:
         with contextlib.suppress(InputError):
-            ready = scenario_from(given, False, advises=False).build(advises=False)
+            scenario = scenario_from(given, False, advises=False)
+            ready = scenario.build(advises=False)
             if ready.plain is not None:
                 continue
             avionics = ready.built_avionics.avionics if ready.built_avionics else None
-            types = repr((structure(ready.model), structure(avionics), alone))
+            beside = () if scenario.second is None else _types_of(scenario.beside())
+            types = repr((structure(ready.model), structure(avionics), alone, *beside))
             key = hashlib.sha256(types.encode()).hexdigest()[:32]
             found.setdefault(key, FlightKind(key, avionics is not None, given, alone))
     return list(found.values())
+
+
+def _types_of(scenario: Scenario) -> tuple[Any, ...]:
+    """Types of a second vehicle and its pilot."""
+    ready = scenario.build(advises=False)
+    avionics = ready.built_avionics.avionics if ready.built_avionics else None
+    return structure(ready.model), structure(avionics)
 
 
 def kernel_files() -> set[Path]:

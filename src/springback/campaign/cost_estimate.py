@@ -170,7 +170,7 @@ def cost_estimate(
     rate = len(tables) / max(time.process_time() - used, 1e-9)
     setup = max(0.0, first - (time.perf_counter() - begun))
     columns = {name: [one.columns[name][0] for one in drawn] for name in drawn[0].columns}
-    rows = {**columns, "outcome": ended.outcomes, "problem": ended.problems, **ended.measures}
+    rows = {**columns, **ended.columns}
     problems = [problem for problem in ended.problems if problem]
     cores = os.cpu_count() or 1
     busy = min(workers, cores)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from springback.batch.scenarios import Device, fly_scenarios, no_collection
+from springback.batch.scenarios import Device, fly_scenarios, has_second, no_collection
 from springback.campaign.compiler_times import compile_kinds
 from springback.campaign.design.layout import Design, design_of
 from springback.contact.parameters import PLANES
@@ -66,6 +66,8 @@ def try_code(design: Design, device: Device = "cpu") -> None:
 
 def _check_planes(base: Mapping[str, Any], device: Device) -> None:
     """Reject obstacles that are looked for by a routine of the processor."""
+    if has_second(base):
+        raise InputError(f"--device {device}: cannot fly two vehicles; use cpu")
     for k, entry in enumerate((base.get("world") or {}).get("obstacles", ())):
         if (kind := entry.get("type")) not in (*PLANES, "own"):
             raise InputError(
@@ -83,8 +85,7 @@ def rows(
         if device == "cpu":
             compile_kinds(_few(drawn.tables, len(design.robots)), design.code)
         ended = fly_scenarios(drawn.tables, threads=threads, device=device)
-    tail = {"outcome": ended.outcomes, "problem": ended.problems}
-    return {**drawn.columns, **tail, **ended.measures}
+    return {**drawn.columns, **ended.columns}
 
 
 def _few(tables: list[Any], robots: int) -> list[Any]:

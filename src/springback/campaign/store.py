@@ -28,7 +28,7 @@ import numpy as np
 from filelock import FileLock, Timeout
 
 from springback.campaign import manifest
-from springback.campaign.columns import known_columns
+from springback.campaign.columns import SECOND_OUTCOME, known_columns, measured_columns
 from springback.campaign.design.layout import HEAD, Design
 from springback.campaign.design.plan import Plan, plan_from
 from springback.campaign.errors import CampaignError
@@ -37,9 +37,7 @@ from springback.errors import InputError
 from springback.files import DRAFT, atomic_file, json_text, write_atomically
 from springback.results.database import identifier, one_expression
 from springback.results.parquet import write_parquet
-from springback.results.recovery_measures import RECOVERY_MEASURES
 from springback.results.sealed_json import file_digest, is_sealed, read_object, with_digest
-from springback.simulation.measures import MEASURES
 from springback.version import __version__
 
 Columns = Mapping[str, Any]
@@ -168,6 +166,7 @@ def write_rows(path: Path, columns: Columns, design: Design) -> None:
 def arrays(columns: Columns, design: Design) -> dict[str, Any]:
     """Columns as arrays of their types."""
     words = {d.column for d in design.dimensions if d.text} | {"robot", "outcome", "problem"}
+    words |= {*SECOND_OUTCOME}
     kinds = dict.fromkeys(("flight", "sample", "repeat", "seed"), np.int64)
     found = {}
     for name, values in columns.items():
@@ -181,22 +180,26 @@ def rows_of(design: Design) -> str:
     head = ", ".join(identifier(name) for name in (*HEAD, *design.units))
     measures = ", ".join(
         f"nullif({identifier(name)}, 'NaN'::DOUBLE) AS {identifier(name)}"
-        for name in (MEASURES | RECOVERY_MEASURES)
+        for name in measured_columns(second=design.has_second)
     )
-    flown = f"SELECT {head}, outcome, problem, {measures} FROM given"
+    words = ", ".join(["outcome", "problem", *(SECOND_OUTCOME if design.has_second else ())])
+    flown = f"SELECT {head}, {words}, {measures} FROM given"
     try:
         condition = one_expression(design.success)
     except InputError as error:
         raise InputError(f"success: {error}") from None
     won = f"CASE WHEN outcome <> 'refused' THEN {condition} END"
     success = f"({won})::TINYINT AS success"  # so that both NOT success and avg(success) work
-    rest = ", ".join(identifier(name) for name in (MEASURES | RECOVERY_MEASURES))
+    names = (*(SECOND_OUTCOME if design.has_second else ()),
+             *measured_columns(second=design.has_second))  # fmt: skip
+    rest = ", ".join(map(identifier, names))
     return f"SELECT {head}, outcome, {success}, problem, {rest} FROM ({flown})"
 
 
 def empty_rows(design: Design) -> dict[str, Any]:
     """Columns of flights, without rows."""
-    names = (*HEAD, *design.units, "outcome", "problem", *(MEASURES | RECOVERY_MEASURES))
+    outcomes = ("outcome", "problem", *(SECOND_OUTCOME if design.has_second else ()))
+    names = (*HEAD, *design.units, *outcomes, *measured_columns(second=design.has_second))
     return arrays({name: [] for name in names}, design)
 
 

@@ -280,7 +280,9 @@ def body_rates(s: BodySituation) -> BodyRates:
         touch.gap, meets, touch.engaged, fastest_of_body(body, pose), contact_rate,
         (reaction.grip + touch.grip) * give, shaken * (reaction.per_speed + touch.per_speed),
         1.0 if reaction.touches > 0.0 else 0.0, pose,
-        PartPush(load.force, load.moment, reaction.normal, reaction.touches),
+        PartPush(
+            load.force, load.moment, reaction.normal, reaction.touches, -(at.r @ reaction.friction)
+        ),
     )  # fmt: skip
     return BodyRates(_state_rate(body, state, a), work, seen)
 
@@ -288,7 +290,7 @@ def body_rates(s: BodySituation) -> BodyRates:
 def _blank_situation() -> BodySituation:
     none = Mat3(_NONE, _NONE, _NONE)
     rest = FaceMotion(_NONE, _NONE, 0.0)
-    reaction = Reaction(_NONE, _NONE, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    reaction = Reaction(_NONE, _NONE, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, _NONE)
     place = VehiclePlace(_NONE, none)
     start = _at_rest()
     return BodySituation(NO_BODY, start, rest, reaction, 0.0, 0.0, 0.0, place, 0.0)

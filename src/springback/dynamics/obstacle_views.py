@@ -32,7 +32,8 @@ class BodyView(NamedTuple):
 #: View of a moving obstacle that touches nothing.
 NO_VIEW = BodyView(
     1e9, Crossing(NO_CROSSING, 1.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
-    BodyPose(_NONE, Mat3(_NONE, _NONE, _NONE), _NONE, _NONE), PartPush(_NONE, _NONE, 0.0, 0.0),
+    BodyPose(_NONE, Mat3(_NONE, _NONE, _NONE), _NONE, _NONE),
+    PartPush(_NONE, _NONE, 0.0, 0.0, _NONE),
 )  # fmt: skip
 
 

@@ -42,6 +42,7 @@ class Reaction(NamedTuple):
     per_speed: float  # of friction, 1/√(v² + v_s²), all together [s/m]
     touches: float  # number of contacts
     normal: float  # sum of the normal forces [N]
+    friction: Vec  # on the vehicle [N]
 
 
 class PartPush(NamedTuple):
@@ -51,6 +52,7 @@ class PartPush(NamedTuple):
     moment: Vec  # about the end of the arm, or about the main body for its hull [N m]
     normal: float  # sum of the normal forces [N]
     touches: float  # number of contacts
+    friction: Vec  # share of friction in the force [N]
 
 
 class Pushes(NamedTuple):
@@ -97,14 +99,14 @@ def _of_face(met: CageContact, motion: FaceMotion, number: float) -> Reaction:
     return Reaction(
         ours * touch.force, ours * touch.moment, ours * touch.press.stiffness,
         ours * touch.press.damper, ours * touch.grip.alone, ours * met.per_speed,
-        ours * is_in_contact(met), ours * touch.normal,
+        ours * is_in_contact(met), ours * touch.normal, ours * touch.friction,
     )  # fmt: skip
 
 
 @kernel
 def _of_contact(met: CageContact, number: float) -> Reaction:
     none = Vec(0.0, 0.0, 0.0)
-    start = Reaction(none, none, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    start = Reaction(none, none, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, none)
     return fold(_summed, start, met.moving, (met, number))
 
 
@@ -237,7 +239,7 @@ def with_push(touch: ContactLoad, push: PartPush, lever: Vec, r: Mat3) -> Contac
     moment = push.moment @ r + (lever ^ force)
     return replace(
         touch, force=touch.force + force, moment=touch.moment + moment,
-        normal=touch.normal + push.normal,
+        normal=touch.normal + push.normal, friction=touch.friction + push.friction @ r,
     )  # fmt: skip
 
 

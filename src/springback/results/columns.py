@@ -8,7 +8,7 @@ import numpy as np
 import scipy  # submodules are loaded on first use
 
 from springback.contact.cage import moving_bodies
-from springback.contact.moving.bodies import ABSENT
+from springback.contact.moving.bodies import ABSENT, CARRIED
 from springback.simulation.flight import FlightRecord, Trace
 from springback.simulation.playback import bristle_columns
 from springback.simulation.thrusts import ThrustTable
@@ -47,7 +47,7 @@ def trajectory_columns(
         for name, (source, unit) in held.items():
             columns[name], units[name] = np.ascontiguousarray(trace[source]), unit
     for number, body in enumerate(moving_bodies(flown.model.world.obstacles), start=1):
-        if body.kind != ABSENT:
+        if body.kind not in (ABSENT, CARRIED):  # of another vehicle, which has its own
             moving = _body_columns(trace, f"bodies.{number}.pose", f"obstacle{int(body.obstacle)}_")
             columns |= {name: column for name, (column, _) in moving.items()}
             units |= {name: unit for name, (_, unit) in moving.items()}

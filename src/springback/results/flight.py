@@ -20,6 +20,7 @@ from springback.results.columns import telemetry_columns, trajectory_columns, wo
 from springback.results.events import Event, events_of
 from springback.results.hooks import NotebookPage, hook
 from springback.results.motion import columns_at, gaps, sensor_readings, specific_force_at
+from springback.results.pair.flying import fly_beside
 from springback.results.recovery_measures import (
     is_evaluated,
     recovery_measures,
@@ -41,6 +42,7 @@ from springback.scenario.user.pilots import (
 from springback.scenario.user.sensing import check_detector, check_estimator
 from springback.simulation.flight import (
     Executor,
+    FlightRecord,
     check_instants,
     fly_one,
     own_types,
@@ -54,6 +56,7 @@ from springback.simulation.guided import (
 from springback.simulation.measures import Outcome, measures_of, outcome_of
 from springback.simulation.noise import noise_table
 from springback.simulation.onboard import Avionics
+from springback.simulation.thrusts import ThrustTable
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -63,6 +66,10 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 class Flight(FlightResult):
     """Result of a flight.  Every measure is an attribute as well: ``flight.touch_speed``."""
+
+    if TYPE_CHECKING:
+        second: Flight | None
+        """Flight of the second vehicle, if the scenario has one: at the same instants."""
 
     @functools.cached_property
     def events(self) -> tuple[Event, ...]:
@@ -276,6 +283,10 @@ def fly(
         timing, guided = built.model.timing, built.built_avionics is not None
         foreseen = timing.until * ready.clock if guided else timing.until / timing.free_step
         check_instants(int(foreseen), timing.until, timing.until)
+    if ready.second is not None:
+        if own or executor != "compiled":
+            raise InputError("second: cannot be combined with own obstacles, or executor 'python'")
+        return _wary(pair_flight(ready, built, trace=trajectory, progress=progress))
     if built.built_avionics is not None:
         flight = guided_flight(
             ready, built, trajectory=trajectory, executor=executor, progress=progress
@@ -285,23 +296,50 @@ def fly(
         built.model, built.start, thrusts=built.thrusts, trace=trajectory, executor=executor,
         progress=progress,
     )  # fmt: skip
-    columns, units = trajectory_columns(flown, built.thrusts)
-    outcome, measures = outcome_of(flown.record), measures_of(flown)
-    telemetry: dict[str, Array] = {}
-    if columns and "sensors" in ready.model_fields_set:
-        with _as_input():
-            readings = sensor_readings(ready, columns)
-        telemetry, more = telemetry_columns(readings, len(built.start.arm_length))
-        units |= more
-    work, own = work_columns(flown), parts.obstacles
-    return _wary(Flight(ready, outcome, measures, columns, units, telemetry, work, own))
+    return _wary(replace(_flight_of(ready, flown, built.thrusts), own=parts.obstacles))
 
 
 def _wary(flight: Flight) -> Flight:
-    """The flight, after issuing its warnings."""
-    for kind, sentence in flight.remarks.items():
-        warnings.warn(f"{flight.scenario.name}: {sentence}", kind, stacklevel=3)
+    """The flight, after issuing its warnings, and those of the second vehicle."""
+    for one in (flight, flight.second):
+        for kind, sentence in ({} if one is None else one.remarks).items():
+            warnings.warn(f"{flight.scenario.name}: {sentence}", kind, stacklevel=3)
     return flight
+
+
+def pair_flight(ready: Scenario, built: ReadyFlight, **options: Any) -> Flight:
+    """Flight of the first vehicle of a scenario, built, with that of the second.
+
+    Args:
+        ready: With a second vehicle.
+        built: The first one.
+        **options: Of `springback.results.pair.flying.fly_beside`.
+
+    Raises:
+        InputError: If the second cannot be flown, or code fails, in one line with file and line.
+    """
+    check_user_code(built)
+    other = ready.beside()
+    flown = fly_beside(ready, built, ready_flight(other), **options)
+    first, second = map(_flight_of, (ready, other), flown)
+    return replace(first, second=replace(second, is_second=True))
+
+
+def _flight_of(
+    scenario: Scenario, result: GuidedFlown | FlightRecord, thrusts: ThrustTable | None = None
+) -> Flight:
+    """Flight of what was flown; without a pilot, with readings of the sensors if there are any."""
+    flown = result.flown if isinstance(result, GuidedFlown) else result
+    (columns, units), arms = trajectory_columns(flown, thrusts), len(flown.start.arm_length)
+    outcome, measures, read = outcome_of(flown.record), measures_of(flown), None
+    if isinstance(result, GuidedFlown):
+        (outcome, measures), read = guided_result(result), result.telemetry
+    elif columns and "sensors" in scenario.model_fields_set:
+        with _as_input():
+            read = sensor_readings(scenario, columns)
+    telemetry, more = telemetry_columns(read, arms)
+    work = work_columns(flown)
+    return Flight(scenario, outcome, measures, columns, units | more, telemetry, work)
 
 
 def guided_flight(
@@ -324,12 +362,9 @@ def guided_flight(
     Raises:
         InputError: If a user's own part fails, in one line with its file and line.
     """
-    guided = fly_built(built, trace=trajectory, executor=executor, progress=progress)
-    columns, units = trajectory_columns(guided.flown)
-    telemetry, telemetry_units = telemetry_columns(guided.telemetry, len(built.start.arm_length))
-    outcome, measures = guided_result(guided)
-    work, units = work_columns(guided.flown), units | telemetry_units
-    return Flight(ready, outcome, measures, columns, units, telemetry, work)
+    return _flight_of(
+        ready, fly_built(built, trace=trajectory, executor=executor, progress=progress)
+    )
 
 
 def fly_built(
@@ -414,11 +449,7 @@ def guided_result(guided: GuidedFlown) -> tuple[Outcome, dict[str, float | None]
 
 
 def _check_executor(executor: str) -> None:
-    """Reject an unknown executor.
-
-    Raises:
-        InputError: With the names of the known ones.
-    """
+    """Reject an unknown executor."""
     known = get_args(Executor)
     if executor not in known:
         names = " or ".join(map(repr, known))

@@ -6,6 +6,7 @@ Contacts and distances are evaluated again at the recorded states by the kernels
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -39,6 +40,7 @@ from springback.kernels.compiler import executor, kernel, user_executor
 from springback.kernels.layout import Buffer, TreeLayout, read, write
 from springback.kernels.trees import leaves, names, rebuilt, tree_map, tree_sum
 from springback.kernels.vectors import Vec
+from springback.results.pair.contacts import pair_view
 from springback.results.result import FlightResult
 from springback.scenario.avionics import devices_of, normals_at_start, propulsion_of
 from springback.scenario.model import RING_ROUNDING
@@ -283,7 +285,7 @@ def angular_acceleration(flight: FlightResult, own: tuple[Own, ...] = ()) -> Arr
     if isinstance(model.guide, Slider):
         return np.zeros((len(flight.t), 3))
     omega, felt = _vectors(flight, "w"), _in_body_frame(flight)
-    moment = contact_history(model, flight).moment.copy()
+    moment = _contact_moment(model, flight)
     inertia = np.broadcast_to(np.array(model.airframe.inertia), (len(omega), 3, 3)).copy()
     rate, carried = np.zeros_like(inertia), np.zeros_like(omega)
     for j, (arm, thrust) in enumerate(
@@ -301,6 +303,19 @@ def angular_acceleration(flight: FlightResult, own: tuple[Own, ...] = ()) -> Arr
     rest = moment - np.cross(omega, momentum) - np.einsum("tij,tj->ti", rate, omega)
     rest -= np.cross(carried, felt)
     return np.linalg.solve(inertia, rest[:, :, None])[:, :, 0]
+
+
+def _contact_moment(model: Model, flight: FlightResult) -> Array:
+    """Moment of all contacts about the main body, body axes [N m], shape (instants, 3)."""
+    if flight.is_second:
+        raise InputError(
+            "at: must be [0, 0, 0] for a second vehicle: its contacts with the first one are known "
+            "by their sum only"
+        )
+    if flight.second is None:
+        return contact_history(model, flight).moment.copy()
+    seen = pair_view(flight.scenario, flight.columns, flight.second.columns)
+    return contact_history(seen.model, replace(flight, columns=seen.columns)).moment.copy()
 
 
 def specific_force_at(flight: FlightResult, at: Any, own: tuple[Own, ...] = ()) -> Array:

@@ -76,6 +76,10 @@ class FlightResult(FlightMeasures):
     """The user's own obstacles; empty for a flight that was read back."""
     own_surfaces: tuple[Mesh, ...] = ()
     """Surfaces of those obstacles for drawing, in a flight that was read back."""
+    second: FlightResult | None = None
+    """Flight of the second vehicle, if the scenario has one: at the same instants."""
+    is_second: bool = False
+    """True for that flight itself, whose contacts with the first vehicle are known there."""
 
     if not TYPE_CHECKING:  # for mypy a misspelt measure is an error
 
@@ -225,7 +229,12 @@ class FlightResult(FlightMeasures):
             "units": {name: unit for name, (unit, _) in known.items()},
             "scenario": self.scenario.model_dump(mode="json"),
             **self._own_obstacles(),
+            **({} if self.second is None else {"second": self.second.verdict()}),
         }
+
+    def verdict(self) -> dict[str, Any]:
+        """Outcome and measures as plain data."""
+        return {"outcome": self.outcome.word, "message": self.message, "measures": self.measures}
 
     def _own_obstacles(self) -> dict[str, Any]:
         """Surfaces of the user's own obstacles near the flight, if any."""

@@ -6,6 +6,7 @@ import json
 import math
 import re
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -24,6 +25,8 @@ from springback.vehicle.parameters import Vehicle
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
+#: Beginning of the names of the files of a second vehicle.
+SECOND = "second_"
 #: No flight has such a number; its square is still finite.
 LARGEST = 1e100
 
@@ -45,20 +48,58 @@ def load(folder: str | Path) -> Flight:
     if not folder.is_dir():
         raise InputError(f"{folder}: is a file; give the folder that springback fly wrote")
     summary = _summary(folder / "summary.json")
-    path = folder / "trajectory.parquet"
-    if path.name not in summary["files"]:
-        raise InputError(f"{path}: is missing; fly the scenario again to have a trajectory")
-    for name in ("trajectory.parquet", "telemetry.parquet", FORMS):
-        _check_file(folder / name, summary["files"])
+    scenario_path = folder / "summary.json"
+    _check_files(folder, summary["files"])
     if FORMS in summary["files"]:
         place_forms(folder / FORMS)
-    scenario = _scenario(folder / "summary.json", summary)
+    scenario = _scenario(scenario_path, summary)
+    flight = _flight(folder, summary, scenario, summary["files"], "")
+    if scenario.second is None:
+        return flight
+    verdict: Any = summary.get("second")
+    kinds = {"outcome": str, "measures": dict}
+    is_table = isinstance(verdict, dict)
+    if not is_table or any(not isinstance(verdict.get(n), k) for n, k in kinds.items()):
+        raise InputError(f"{scenario_path}: second: is missing or of another kind")
+    second = _flight(folder, verdict, scenario.beside(), summary["files"], SECOND)
+    if not np.array_equal(flight.t, second.t):
+        raise InputError(
+            f"{folder / SECOND}trajectory.parquet: column t: must be that of trajectory.parquet"
+        )
+    return replace(flight, second=replace(second, is_second=True))
+
+
+def _check_files(folder: Path, files: Mapping[str, Any]) -> None:
+    """Reject a folder without a trajectory, and files that are not the flight's."""
+    path = folder / "trajectory.parquet"
+    if path.name not in files:
+        raise InputError(f"{path}: is missing; fly the scenario again to have a trajectory")
+    tables = ("trajectory.parquet", "telemetry.parquet")
+    for name in (*tables, FORMS, *(SECOND + name for name in tables)):
+        _check_file(folder / name, files)
+
+
+def _flight(
+    folder: Path, verdict: Mapping[str, Any], scenario: Scenario, files: Any, prefix: str
+) -> Flight:
+    """Flight of one vehicle.
+
+    Args:
+        folder: Of the result.
+        verdict: With its outcome and measures.
+        scenario: Of this vehicle.
+        files: Names of the files that there are.
+        prefix: Of their names.
+    """
+    path = folder / f"{prefix}trajectory.parquet"
+    if path.name not in files:
+        raise InputError(f"{path}: is missing; fly the scenario again to have a trajectory")
     columns, units = _table(path)
     _check(path, columns, _required_columns(scenario.vehicle))
     _check_vehicle(path, columns, scenario.vehicle)
     telemetry: dict[str, Array] = {}
-    path = folder / "telemetry.parquet"
-    if path.name in summary["files"]:
+    path = folder / f"{prefix}telemetry.parquet"
+    if path.name in files:
         telemetry, more = _table(path)
         arms = range(1, scenario.vehicle.arm_count + 1)
         flown = scenario.reference or scenario.pilot or {"command1", "thrust1"} & telemetry.keys()
@@ -66,9 +107,9 @@ def load(folder: str | Path) -> Flight:
         _check_there(path, telemetry, [f"{kind}{n}" for kind in kinds for n in arms])
         _check(path, telemetry, ["t"])
         units |= more
-    outcome, measures = _outcome(folder / "summary.json", summary), _measures(folder, summary)
+    outcome, measures = _outcome(folder / "summary.json", verdict), _measures(folder, verdict)
     where = f"{folder / 'summary.json'}: own_obstacles"
-    surfaces = read_surfaces(summary.get("own_obstacles", ()), where)
+    surfaces = read_surfaces(verdict.get("own_obstacles", ()), where)
     return Flight(scenario, outcome, measures, columns, units, telemetry, own_surfaces=surfaces)
 
 

@@ -8,6 +8,7 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+import numpy as np
 from pydantic_core import PydanticCustomError
 
 from springback.contact.cage import (
@@ -45,6 +46,7 @@ from springback.scenario.tables import (
 from springback.scenario.worlds.imported import Imported, single_obstacles
 from springback.sensing.parameters import SensorSettings
 from springback.settings import problem
+from springback.simulation.pair.parts import EDGE, HEIGHT
 from springback.simulation.record import Model
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import Airframe, State, arm_pose
@@ -309,6 +311,96 @@ def reach_of(airframe: Airframe) -> float:
     cages = [arm.length + arm.cage_radius for arm in airframe.arms] + at_ends
     hulls: list[float] = [norm(hull.centre) + hull.radius for hull in airframe.hull]
     return AMPLE * max(cages + hulls)
+
+
+# -- a second vehicle -----------------------------------------------------------------------------
+
+
+def check_second(first: ScenarioTables, second: ScenarioTables) -> None:
+    """Reject what two vehicles in one world cannot do, and a start in each other.
+
+    Args:
+        first: Scenario of both.
+        second: That of the second vehicle alone.
+    """
+    for k, entry in enumerate(first.world.obstacles):
+        _check_beside(f"world.obstacles[{k}]", entry)
+    for path, one in (("", first), ("second.", second)):
+        if one.vehicle.hulls:
+            raise problem(
+                "cannot be combined with a second vehicle: hulls besides cages and the sphere "
+                "vehicle.hull do not touch it",
+                f"{path}vehicle.hulls",
+            )
+        if isinstance(one.thrust, ThrustSettings):
+            raise problem("must be constant beside another vehicle, not a table", f"{path}thrust")
+    assert first.second is not None
+    law = first.second.surface
+    if law is not None and law.law == "impulse":
+        raise problem("must not be impulse between two vehicles", "second.surface.law")
+    if law is not None and law.friction_law == "bristle":
+        raise problem("must not be bristle between two vehicles", "second.surface.friction_law")
+
+
+def check_apart(first: Vehicle, at: State, second: Vehicle, there: State) -> None:
+    """Reject a second vehicle whose cages start in those of the first one, as discs.
+
+    Args:
+        first: The first vehicle.
+        at: Its state at time 0.
+        second: The second vehicle.
+        there: Its state at time 0.
+    """
+    deep = -min(_rim_gap(first, at, second, there), _rim_gap(second, there, first, at))
+    if deep > LANDED:
+        place = [round(x, 6) for x in there.position]
+        raise problem(
+            f"puts its cages {deep:.3g} m inside those of the first vehicle (got {place} m)",
+            "second.start.position",
+        )
+
+
+def _rim_gap(one: Vehicle, at: State, other: Vehicle, there: State) -> float:
+    """Smallest distance of points of the rims of one vehicle's cages from the other's discs [m]."""
+    turn, back = _matrix(at), _matrix(there)
+    circle = np.linspace(0.0, 2.0 * np.pi, 96, endpoint=False)
+    ring = np.stack([np.cos(circle), np.sin(circle), np.zeros(96)], axis=1)
+    radii = np.array([one.arms.at("cage_radius", j) for j in range(one.arm_count)])
+    points = (_ends(one)[:, None] + radii[:, None, None] * ring).reshape(-1, 3)
+    seen = (np.array(at.position) + points @ turn.T - np.array(there.position)) @ back
+    nearest = math.inf
+    for j, end in enumerate(_ends(other)):
+        away = seen - end
+        out = np.hypot(away[:, 0], away[:, 1]) - (other.arms.at("cage_radius", j) - EDGE)
+        up = np.abs(away[:, 2]) - (0.5 * HEIGHT - EDGE)
+        outside = np.hypot(np.maximum(out, 0.0), np.maximum(up, 0.0))
+        nearest = min(nearest, float(np.min(outside + np.minimum(np.maximum(out, up), 0.0))) - EDGE)
+    return nearest
+
+
+def _ends(vehicle: Vehicle) -> Any:
+    """Ends of the arms at their free length, body axes [m], shape (arms, 3)."""
+    arms = vehicle.airframe().arms
+    return np.array([[arm.length * arm.cosine, arm.length * arm.sine, 0.0] for arm in arms])
+
+
+def _matrix(state: State) -> Any:
+    """Body axes to world axes, shape (3, 3)."""
+    return np.array(rotation(state.attitude))
+
+
+def _check_beside(path: str, entry: Any) -> None:
+    """Reject an obstacle that cannot be met by two vehicles."""
+    if isinstance(entry, UserShape) or getattr(entry, "motion", None) is not None:
+        what = "is a shape of your own" if isinstance(entry, UserShape) else "moves"
+        raise problem(f"cannot be combined with a second vehicle: it {what}", path)
+    if isinstance(entry, ShapeSettings):
+        laws = [(".surface", part.surface) for part in entry.parts()]
+    else:
+        laws = [(f".{n}", getattr(entry, n)) for n in ("surface", "backing") if hasattr(entry, n)]
+    for name, law in laws:
+        if law.law == "impulse":
+            raise problem("must not be impulse beside a second vehicle", f"{path}{name}.law")
 
 
 def is_clear(model: Model, state: State) -> bool:

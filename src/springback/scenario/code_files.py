@@ -22,12 +22,19 @@ from springback.user_code import CODE_FORM
 #: Folder of the package: its frames are not the user's.
 PACKAGE = str(Path(__file__).parents[1]) + os.sep
 #: Tables and keys of a scenario that name code; a ``*`` is any entry of a list.
-NAMED_AT: tuple[tuple[str, ...], ...] = (
+_OF_A_VEHICLE = (
     ("pilot",), ("pilot", "code"), ("estimator", "code"), ("recovery", "detection", "own", "code"),
+)  # fmt: skip
+_FILES_OF_A_VEHICLE = (("vehicle",), ("vehicle", "preset"), ("thrust",))
+NAMED_AT: tuple[tuple[str, ...], ...] = (
+    *_OF_A_VEHICLE, *(("second", *path) for path in _OF_A_VEHICLE),
     ("world", "obstacles", "*", "shape"),
 )  # fmt: skip
-#: Where a scenario may name the file of a vehicle, or of thrusts; and of the form of an obstacle.
-FILES_AT: tuple[tuple[str, ...], ...] = (("vehicle",), ("vehicle", "preset"), ("thrust",))
+#: Where a scenario may name the file of a vehicle, of thrusts, or of a second vehicle.
+FILES_AT: tuple[tuple[str, ...], ...] = (
+    *_FILES_OF_A_VEHICLE, *(("second", *path) for path in _FILES_OF_A_VEHICLE),
+    ("second",), ("second", "preset"),
+)  # fmt: skip
 #: Where a scenario may name the files of obstacles, and folders with what these name.
 WORLDS_AT: tuple[tuple[str, ...], ...] = (
     ("world", "obstacles", "*", "file"), ("world", "obstacles", "*", "search", "*"),

@@ -8,6 +8,7 @@ from typing import Any
 
 from springback.errors import InputError, shown_value
 from springback.problems import key_path
+from springback.scenario.fields import fields_of
 from springback.scenario.scenario import Scenario, expand_presets
 from springback.scenario.source_text import MOST_DEPTH, check_depth
 from springback.settings import Settings
@@ -99,8 +100,15 @@ def default_at(given: Any, path: Sequence[Key]) -> list[Any] | None:
     for key in path if found is None else ():
         field = table.model_fields.get(key) if issubclass(table, Settings) else None
         found = field.default if field is not None else None
-        table = type(found)
+        table = type(found) if found is not None else _table_of(table, key)
     return list(found) if isinstance(found, list | tuple) else None
+
+
+def _table_of(table: Any, key: Any) -> Any:
+    """Type of the table at a key of another one; that of nothing if there is none."""
+    is_table = isinstance(table, type) and issubclass(table, Settings)
+    known = fields_of(table).get(key) if is_table else None
+    return (known and known.table) or type(None)
 
 
 def _at(tables: Any, path: Sequence[Key]) -> Any:

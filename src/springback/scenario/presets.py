@@ -13,6 +13,7 @@ from springback.contact.grids.data_files import content_digest
 from springback.contact.library import SURFACES
 from springback.errors import InputError, shown_value, within
 from springback.quantities import Unit
+from springback.scenario.code_files import with_absolute_names
 from springback.scenario.source_text import source_text, toml_tables
 from springback.scenario.worlds.imported import read_import
 from springback.sensing.library import ESTIMATORS
@@ -215,6 +216,51 @@ def thrust_of(given: Any) -> Any:
     return read_thrusts(given) if is_file else given
 
 
+#: Tables of a scenario that belong to its world and its flight, not to its vehicle.
+OF_THE_WORLD = ("world", "clock", "simulation", "second")
+
+
+def second_tables(given: Any) -> Any:
+    """Raw second vehicle, the names of a scenario file and of one of a vehicle replaced by tables.
+
+    Its world, clock, duration and steps are not read: they are those of the other scenario.
+
+    Raises:
+        InputError: If the file cannot be read.
+    """
+    word = given.get("preset") if isinstance(given, Mapping) else given
+    if word is None:
+        return _with_vehicle(given)
+    with within(*(() if isinstance(given, str) else ("preset",))):
+        if not is_vehicle_file(word):
+            raise InputError(f"must be the path of a scenario file (got {shown_value(word)})")
+        found = toml_tables(source_text(Path(word)), str(word))
+    own = {} if isinstance(given, str) else {k: v for k, v in given.items() if k != "preset"}
+    kept = {key: value for key, value in found.items() if key not in OF_THE_WORLD}
+    return _with_vehicle(merge(with_absolute_names(kept, Path(word).parent), own))
+
+
+def _with_vehicle(tables: Any) -> Any:
+    """Raw tables in which the file of a vehicle is replaced by its values."""
+    vehicle = tables.get("vehicle") if isinstance(tables, Mapping) else None
+    word = vehicle.get("preset") if isinstance(vehicle, Mapping) else vehicle
+    return {**tables, "vehicle": vehicle_table(vehicle)} if is_vehicle_file(word) else tables
+
+
+def _second(given: Any, scenario: Mapping[str, Any]) -> Any:
+    """A raw second vehicle, presets replaced by their values; the wind is that of the scenario."""
+    tables = second_tables(given)
+    if not isinstance(tables, Mapping):
+        return tables
+    air = {"air": scenario["air"]} if "air" in scenario else {}
+    surface = {}
+    if tables.get("surface") is not None:
+        with within("surface"):
+            surface = {"surface": surface_table(tables["surface"])}
+    others = {key: value for key, value in tables.items() if key != "surface"}
+    return {**air, **_of_a_vehicle(others), **surface}
+
+
 def _with_its_start(given: Mapping[str, Any]) -> dict[str, Any]:
     """A raw scenario whose run-up begins at ``start.position``, unless it has its own ``start``."""
     result, reference, start = dict(given), given.get("reference"), given.get("start")
@@ -231,6 +277,22 @@ def _with_its_start(given: Mapping[str, Any]) -> dict[str, Any]:
 
 def expand_presets(given: Mapping[str, Any]) -> dict[str, Any]:
     """A raw scenario, presets replaced by their values; a run-up begins where the vehicle does."""
+    result = _of_a_vehicle(given)
+    if result.get("second") is not None:
+        with within("second"):
+            result["second"] = _second(result["second"], result)
+    world = result.get("world")
+    if isinstance(world, Mapping) and isinstance(world.get("obstacles"), list | tuple):
+        entries = []
+        for k, entry in enumerate(world["obstacles"]):
+            with within("world", "obstacles", k):
+                entries.append(obstacle_table(entry))
+        result["world"] = {**world, "obstacles": entries}
+    return result
+
+
+def _of_a_vehicle(given: Mapping[str, Any]) -> dict[str, Any]:
+    """Raw tables of one vehicle, presets replaced by their values."""
     result = _with_its_start(given)
     if "vehicle" in result:
         with within("vehicle"):
@@ -241,11 +303,4 @@ def expand_presets(given: Mapping[str, Any]) -> dict[str, Any]:
     if "estimator" in result:
         with within("estimator"):
             result["estimator"] = estimator_table(result["estimator"])
-    world = result.get("world")
-    if isinstance(world, Mapping) and isinstance(world.get("obstacles"), list | tuple):
-        entries = []
-        for k, entry in enumerate(world["obstacles"]):
-            with within("world", "obstacles", k):
-                entries.append(obstacle_table(entry))
-        result["world"] = {**world, "obstacles": entries}
     return result

@@ -8,10 +8,12 @@ from typing import Any
 
 from pydantic import ValidationError, ValidationInfo, model_validator
 
+from springback.contact.parameters import SurfaceSettings
 from springback.contact.worlds import Own
 from springback.errors import InputError
 from springback.kernels.memo import Memo
-from springback.problems import dotted_path
+from springback.problems import dotted_path, problem_paths
+from springback.random_streams import Purpose, stream
 from springback.scenario.build import (
     ReadyFlight,
     UserParts,
@@ -19,13 +21,20 @@ from springback.scenario.build import (
     unread_parts,
     user_parts,
 )
-from springback.scenario.checks import check_sensors, check_start, check_tables
+from springback.scenario.checks import (
+    check_apart,
+    check_second,
+    check_sensors,
+    check_start,
+    check_tables,
+)
 from springback.scenario.model import flight_model, start_state, true_airframe, true_vehicle
 from springback.scenario.presets import expand_presets as expand_presets
 from springback.scenario.presets import merge as merge
 from springback.scenario.presets import preset as preset
-from springback.scenario.tables import ScenarioTables
+from springback.scenario.tables import ScenarioTables, SecondVehicle
 from springback.scenario.worlds.imported import single_obstacles
+from springback.settings import Settings, problem
 from springback.simulation.record import Model
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import Airframe, State
@@ -47,6 +56,11 @@ class Scenario(ScenarioTables):
         else:
             advises = (info.context or {}).get("advises", True)
             self.build(unread_parts(self, pilot=bool(own)), advises=advises)
+        if self.second is not None:
+            other = self.beside()
+            check_second(self, other)
+            states = self.start_state(), other.start_state()
+            check_apart(self.vehicle, states[0], other.vehicle, states[1])
         return self
 
     def _touches_own(self) -> bool:
@@ -83,9 +97,59 @@ class Scenario(ScenarioTables):
         """Model of the flight, of the user's own shapes only with those given, with surfaces."""
         return self.parts(flight_model, self, own, self.parts)
 
+    def beside(self) -> Scenario:
+        """Scenario of the second vehicle alone, in the world of this one.
+
+        Raises:
+            The first problem that it has in this world, with its path in this scenario.
+        """
+        return self.parts(_scenario_beside, self)
+
+    def with_second(self, other: Scenario, surface: SurfaceSettings | None = None) -> Scenario:
+        """This scenario with the vehicle of another one as its second.
+
+        Args:
+            other: Its world, clock and steps must be the same.
+            surface: Of the contact between both.
+
+        Raises:
+            InputError: If they cannot fly together; one line for each problem.
+        """
+        for name in SHARED:
+            one, theirs = getattr(self, name), getattr(other, name)
+            if one != theirs:
+                keys = type(one).model_fields if isinstance(one, Settings) else ()
+                key = next((f".{k}" for k in keys if getattr(one, k) != getattr(theirs, k)), "")
+                raise InputError(f"{name}{key}: must be the same for both vehicles")
+        names = other.model_fields_set & SecondVehicle.model_fields.keys()
+        own = {name: getattr(other, name) for name in names | {"name", "seed"}}
+        return self.model_copy(update={"second": SecondVehicle(**own, surface=surface)})
+
     def start_state(self) -> State:
         """State at time 0, arms at their free length."""
         return start_state(self.start, self.vehicle, self.flight_model(), self.parts)
+
+
+def _scenario_beside(first: Scenario) -> Scenario:
+    """Scenario of the second vehicle of another one, which has one."""
+    second = first.second
+    assert second is not None
+    own = {name: getattr(second, name) for name in second.model_fields_set - {"seed", "surface"}}
+    shared = {name: getattr(first, name) for name in SHARED}
+    seed = int(stream(first.seed, Purpose.SECOND).integers(2**63))
+    own |= {"seed": seed if second.seed is None else second.seed, "name": second.name}
+    try:
+        return Scenario.model_validate({**own, **shared})
+    except ValidationError as error:
+        [(path, what), *_] = problem_paths(error)
+        raise problem(
+            what, dotted_path(path if path[:1] in _PATHS else ("second", *path))
+        ) from None
+
+
+#: Tables that two vehicles have in common.
+SHARED = ("world", "clock", "simulation")
+_PATHS = tuple((name,) for name in SHARED)
 
 
 def scenario_from(

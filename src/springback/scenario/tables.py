@@ -257,15 +257,13 @@ def _thrust(given: Any) -> Any:
     return ThrustSettings.model_validate(given) if isinstance(given, Mapping) else given
 
 
-class ScenarioTables(Settings):
-    """All input of one flight, each table validated by itself."""
+class VehicleTables(Settings):
+    """What one vehicle of a scenario is, where it starts, and who flies it."""
 
     # Otherwise pydantic before 2.10 takes model_error for a name of its own.
     model_config = ConfigDict(protected_namespaces=())
 
-    name: Name = "flight"
     vehicle: Vehicle
-    world: WorldSettings = WorldSettings()
     start: Start = Start()
     thrust: Annotated[Any, PlainValidator(_thrust)] = 0.0
     """Thrust of each rotor [N]: one for all, a list, ``"hover"``, or `ThrustSettings` over time.
@@ -285,15 +283,10 @@ class ScenarioTables(Settings):
     estimator: EstimatorSettings = EstimatorSettings()
     sensors: SensorSettings = SensorSettings()
     """Sensors.  Without a pilot their readings are recorded if this table is given, even empty."""
-    clock: Annotated[float, Unit("1/s", above=0.0)] = 1000.0
-    """Ticks per second of all on-board devices [Hz]."""
-    seed: Annotated[int, Field(ge=0, strict=True)] = 0
-    """Seed of the noise."""
     air: AirSettings = AirSettings()
     payload: Payload = Payload()
     model_error: ModelError = ModelError()
     model: ModelSettings = ModelSettings()
-    simulation: SimulationSettings = SimulationSettings()
 
     @property
     def code(self) -> list[tuple[str, str]]:
@@ -304,9 +297,43 @@ class ScenarioTables(Settings):
             "estimator.code": self.estimator.code,
             "recovery.detection.own.code": None if detector is None else detector.code,
         }
-        shapes = {
-            f"world.obstacles[{k}].shape": entry.shape
+        return [(path, word) for path, word in named.items() if word is not None]
+
+
+class SecondVehicle(VehicleTables):
+    """A second vehicle in the world of a scenario, which the first one can strike.
+
+    Obstacles, gravity, clock, duration and steps are those of the scenario.
+    """
+
+    name: Name = "second"
+    seed: Annotated[int, Field(ge=0, strict=True)] | None = None
+    """Seed of its noise; by default drawn from that of the scenario."""
+    surface: SurfaceSettings | None = None
+    """Of the contact between both vehicles; by default that of two cages of the preset ``wall`` in
+    series, with its friction."""
+
+
+class ScenarioTables(VehicleTables):
+    """All input of one flight, each table validated by itself."""
+
+    name: Name = "flight"
+    world: WorldSettings = WorldSettings()
+    clock: Annotated[float, Unit("1/s", above=0.0)] = 1000.0
+    """Ticks per second of all on-board devices [Hz]."""
+    seed: Annotated[int, Field(ge=0, strict=True)] = 0
+    """Seed of the noise."""
+    simulation: SimulationSettings = SimulationSettings()
+    second: SecondVehicle | None = None
+    """A second vehicle in this world, with its own pilot or without; or the path of a scenario file
+    whose vehicle it is, changed by further keys beside ``preset``."""
+
+    @property
+    def code(self) -> list[tuple[str, str]]:
+        """Path and name of each object of the user's own; those of the second vehicle are its."""
+        shapes = [
+            (f"world.obstacles[{k}].shape", entry.shape)
             for k, entry in enumerate(self.world.obstacles)
             if isinstance(entry, UserShape)
-        }
-        return [(path, word) for path, word in (named | shapes).items() if word is not None]
+        ]
+        return super().code + shapes

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import shlex
+from collections.abc import Set
 from pathlib import Path
 
 from springback.contact.parameters import PLANES
@@ -11,6 +12,7 @@ from springback.control.demands import Demands, shortfalls
 from springback.control.linear import warnings_for
 from springback.control.reference_parameters import CircleSettings, RunUpSettings
 from springback.scenario.avionics import limits_of, nominal_vehicle, propulsion_of
+from springback.scenario.scenario import Scenario
 from springback.scenario.tables import ScenarioTables
 from springback.scenario.worlds.imported import Imported, single_obstacles
 
@@ -25,14 +27,20 @@ FLAT = (*PLANES, "box", "edge", "slope", "stairs", "net", "own")
 _PAPERS = ("reference", "control", "estimator", "recovery")
 
 
-def scenario_warnings(scenario: ScenarioTables, *, own: bool = False) -> list[str]:
+def scenario_warnings(scenario: Scenario, *, own: bool = False) -> list[str]:
     """Warnings for this scenario, one sentence each.
 
     Args:
         scenario: Scenario to be flown.
         own: True if a pilot of the user's own flies it.
     """
-    return _unrepresented(scenario) + _curved(scenario) + _warnings_of_the_pilot(scenario, own)
+    found = _unrepresented(scenario) + _curved(scenario)
+    found += _warnings_of_the_pilot(scenario, own, scenario.model_fields_set)
+    if scenario.second is not None:
+        other, given = scenario.beside(), scenario.second.model_fields_set
+        piloted = _warnings_of_the_pilot(other, other.pilot is not None, given)
+        found += [f"second: {sentence}" for sentence in piloted]
+    return found
 
 
 def _curved(scenario: ScenarioTables) -> list[str]:
@@ -64,9 +72,8 @@ def _unrepresented(scenario: ScenarioTables) -> list[str]:
     return found
 
 
-def _warnings_of_the_pilot(scenario: ScenarioTables, own: bool) -> list[str]:
-    """Warnings about who flies."""
-    given = scenario.model_fields_set
+def _warnings_of_the_pilot(scenario: ScenarioTables, own: bool, given: Set[str]) -> list[str]:
+    """Warnings about who flies; ``given`` are the tables that were written."""
     if own:
         recovery = scenario.recovery
         judges = recovery is not None and recovery.model_fields_set == {"settling"}

@@ -153,8 +153,13 @@ class LoadHistory(NamedTuple):
     force: Array  # of each contact, world [N], shape (instants, contacts, 3)
     point: Array  # where it acts, world [m], shape (instants, contacts, 3); NaN without a force
     normal: Array  # sum of the f_n on each part [N], shape (instants, parts)
-    friction: Array  # |f_f| of their sum [N], shape (instants, parts)
+    rubbing: Array  # sum of the f_f on each part, world [N], shape (instants, parts, 3)
     energy: dict[str, Array]  # `Energy` by name [J], each of shape (instants,)
+
+    @property
+    def friction(self) -> Array:
+        """Magnitude of the friction on each part [N], shape (instants, parts)."""
+        return np.asarray(np.linalg.norm(self.rubbing, axis=2))
 
 
 def states_at(model: Model, columns: Mapping[str, Array], places: Places | slice) -> Array:
@@ -241,8 +246,7 @@ def load_history(model: Model, columns: Mapping[str, Array], places: Places) -> 
     part = tuple(k for k, one in enumerate(contacts) for _ in range(one.shape[1]))
     found = np.concatenate([np.zeros((len(out), 0, 6)), *contacts], axis=1)
     normal = np.stack([one[..., 3].sum(axis=1) for one in each], axis=1)
-    friction = np.linalg.norm(rubbed, axis=2)
-    return LoadHistory(part, found[..., :3], found[..., 3:], normal, friction, stored)
+    return LoadHistory(part, found[..., :3], found[..., 3:], normal, rubbed, stored)
 
 
 def _contacts(each: Array) -> Array:

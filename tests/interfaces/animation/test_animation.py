@@ -339,7 +339,8 @@ def test_two_flights_of_one_robot_go_by_their_folders(folder: Path, tmp_path: Pa
     done = animate(folder, other, "--out", out, *words)
     assert done.exit_code == 0, done.output
     assert "ARQ (softer): differs from ARQ (arq) in vehicle.arms.stiffness (2000" in done.output
-    scenes = [replace(scene_of(thrown()), label=label) for label in ("ARQ (arq)", "ARQ (softer)")]
+    labels = enumerate(("ARQ (arq)", "ARQ (softer)"))
+    scenes = [replace(scene_of(thrown()), label=label, world=k) for k, label in labels]
     picture = Frame(scenes, timing.timing(scenes, slow=20.0, fps=25.0), (400, 360))
     titles = [text.get_text() for side, _ in picture.panels for text in side.ax.texts]
     legend = picture.curve.ax.get_legend()

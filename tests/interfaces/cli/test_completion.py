@@ -79,10 +79,9 @@ def test_a_shell_that_splits_at_the_sign_gets_the_value_alone() -> None:
 def test_every_key_offered_is_one_of_a_scenario() -> None:
     surface = {"preset": "wall"}
     entry = {"type": "mat", "distance": 9.0, "surface": surface, "backing": surface}
-    full = scenario_from({
-        "vehicle": "arq", "reference": {"type": "hold"}, "world": {"obstacles": [entry]},
-        "recovery": {}, "air": {} ,
-    })  # fmt: skip
+    one = {"vehicle": "arq", "reference": {"type": "hold"}, "recovery": {}, "air": {}}
+    other = one | {"start": {"position": [3.0, 0.0, 1.0]}, "surface": surface}
+    full = scenario_from(one | {"world": {"obstacles": [entry]}, "second": other})
     strange = []
     keys = [key for key, _ in setting_keys(Scenario)]
     for key in keys:
@@ -92,8 +91,9 @@ def test_every_key_offered_is_one_of_a_scenario() -> None:
             strange.append(key)
     assert len(keys) - len(strange) > 200
     # of another kind of reference or obstacle than that of this scenario, or of a hull: it has none
-    other = [key for key in strange if not key.startswith("vehicle.hulls.")]
-    assert {key.partition(".")[0] for key in other} <= {"reference", "world"}
+    keys = [key.removeprefix("second.") for key in strange]
+    others = [key for key in keys if not key.startswith("vehicle.hulls.")]
+    assert {key.partition(".")[0] for key in others} <= {"reference", "world"}
 
 
 def test_the_shell_gets_a_script_that_asks_the_program() -> None:

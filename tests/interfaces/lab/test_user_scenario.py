@@ -461,3 +461,28 @@ def test_a_bad_file_is_refused_in_one_line(file: Path, change: tuple[str, str], 
     assert (done.returncode, done.stdout) == (2, "")
     assert line in done.stderr
     assert len(done.stderr.strip().splitlines()) == 1
+
+
+def test_a_second_vehicle_flies_along_and_is_shown(tmp_path: Path) -> None:
+    """From a file of its own, which the downloaded scenario holds; both in one world."""
+    (tmp_path / "other.toml").write_text(
+        'name = "comes"\nvehicle = "arq"\n[start]\nposition = [0.6, 0.22, 0]\n'
+        'velocity = [-1.0, 0, 0]\nyaw = "149 deg"\n'
+    )
+    path = tmp_path / "first.toml"
+    path.write_text(
+        'name = "waits"\nvehicle = "arq"\nsecond = "other.toml"\n[world]\ngravity = 0\n'
+        "[start]\nposition = [0, 0, 0]\nvelocity = [1.5, 0, 0]\n[simulation]\nduration = 0.08\n"
+    )
+    table = table_of(path)
+    assert "other.toml" not in lab_toml(table(), "mine")
+    [shown] = answer(table())["flights"]
+    as_file = fly(read_scenario(path))
+    assert shown["outcome"] == as_file.outcome.word
+    assert shown["second"]["label"] == "comes"
+    assert shown["scene"]["world"] == shown["second"]["world"]
+    assert shown["scene"]["first_touch"] == shown["second"]["first_touch"]
+    assert as_file.second is not None
+    in_lab = fly(lab_scenario(table(), "mine"))
+    assert in_lab.second is not None
+    assert in_lab.second.measures == as_file.second.measures

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from builders.cases import nonempty
+from builders.pairs import two
 from interfaces.browsing import browser, complaints, needs_browser, requests, resized
 from interfaces.replay.pages import TABLES, drag, key, opened, pose, until
 from springback.interfaces.replay.viewer import export_page, replay_of
@@ -330,4 +331,27 @@ def test_bodies_of_two_flights_stand_apart_or_are_one(driver: Any, tmp_path: Pat
     assert counts["hoop", "side"] > counts["hoop", "ghost"]
     assert counts["doorway", "side"] == counts["doorway", "ghost"]
     assert {case for case, text in legends.items() if "overlaid" in text} == {("doorway", "side")}
+    assert complaints(driver) == []
+
+
+def test_two_vehicles_of_one_world_meet_in_one_place(driver: Any, tmp_path: Path) -> None:
+    """Not side by side: at the touch they are as far apart as they flew, with forces on both."""
+    flight = fly(two())
+    export_page(replay_of([flight]), tmp_path / "pair.html")
+    opened(driver, tmp_path / "pair.html")
+    words = driver.find_element("css selector", ".views").text
+    assert "overlaid" not in words
+    touch = flight.measures["touch_time"]
+    assert touch is not None
+    driver.execute_script("window.springback.player.seek(arguments[0])", touch + 0.01)
+    apart = np.linalg.norm(np.subtract(*pose(driver)["places"]))
+    assert flight.second is not None
+    flown = [
+        [np.interp(touch + 0.01, one.t, one.columns[axis]) for axis in "xyz"]
+        for one in (flight, flight.second)
+    ]
+    assert apart == pytest.approx(np.linalg.norm(np.subtract(*flown)), abs=1e-3)
+    there = pose(driver)["flights"]
+    for one in nonempty(there):
+        assert any(contact and contact["size"] > 1.0 for contact in one["contacts"])
     assert complaints(driver) == []

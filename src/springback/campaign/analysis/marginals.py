@@ -11,7 +11,7 @@ import numpy as np
 
 from springback.campaign.access import Campaign
 from springback.campaign.analysis.statistics import ordered_values
-from springback.campaign.columns import FLIGHT, RESULT, known_columns
+from springback.campaign.columns import FLIGHT, RESULT, SECOND_OUTCOME, known_columns
 from springback.campaign.design.distributions import LevelSet, NormalFactor
 from springback.errors import InputError
 from springback.intervals import IntervalEstimate, Values, quantile, share
@@ -109,7 +109,7 @@ def scale(campaign: Campaign, name: str, cells: int) -> Scale:
 #: Measure of a map or marginal unless another is named.
 SUCCESS = "success"
 #: Columns without a number that could be summarised.
-_IDENTITIES = {*FLIGHT, *RESULT} - {SUCCESS}
+_IDENTITIES = {*FLIGHT, *RESULT, *SECOND_OUTCOME} - {SUCCESS}
 #: Condition on rows that have a measure, and a cell.
 _KNOWN = "value IS NOT NULL AND NOT isnan(value) AND cell >= 0"
 #: Shares of flights below the ends of a marginal's band (chosen).
@@ -138,7 +138,8 @@ def measure_column(campaign: Campaign, name: str) -> MeasureColumn:
     words = {one.column for one in campaign.design.dimensions if one.text}
     fields = {one.column: (one.unit, "varied by the plan") for one in campaign.design.dimensions}
     known = {
-        column: about for column, about in {**known_columns(), **fields}.items()
+        column: about
+        for column, about in {**known_columns(second=campaign.design.has_second), **fields}.items()
         if column not in _IDENTITIES and column not in words
     }  # fmt: skip
     if name in known:

@@ -90,6 +90,11 @@ class Design:
         return self.samples * self.plan.repeats * len(self.robots)
 
     @property
+    def has_second(self) -> bool:
+        """True if each flight has a second vehicle."""
+        return self.bases[0].get("second") is not None
+
+    @property
     def units(self) -> dict[str, str]:
         """SI units of the columns of dimensions."""
         return {d.column: d.unit for d in self.dimensions}

@@ -19,6 +19,7 @@ from springback.scenario.overrides import apply_overrides
 from springback.scenario.presets import (
     is_vehicle_file,
     read_vehicle,
+    second_tables,
     thrust_of,
     vehicle_table,
     with_contents,
@@ -378,11 +379,24 @@ def with_scenario(plan: Plan, folder: Path, source: Source) -> Plan:
         tables = {**tables, "vehicle": vehicle_table(vehicle)}
     if "thrust" in tables:
         tables = {**tables, "thrust": thrust_of(tables["thrust"])}
+    if tables.get("second") is not None:
+        tables = {**tables, "second": _second_tables(tables["second"], source)}
     pilots = tuple(
         one if one.code is None else one.with_checked(code=absolute_code(one.code, folder))
         for one in plan.pilots
     )
     return _with_vehicles(plan.with_checked(scenario=tables, pilots=pilots), folder, source)
+
+
+def _second_tables(given: Any, source: Source) -> Any:
+    """Raw second vehicle, its files replaced by their tables, without a seed of its own."""
+    try:
+        tables = second_tables(given)
+    except InputError as error:
+        raise InputError(source.problem_line(("scenario", "second"), str(error))) from None
+    if not isinstance(tables, dict):
+        return tables
+    return {key: value for key, value in tables.items() if key != "seed"}
 
 
 def _with_vehicles(plan: Plan, folder: Path, source: Source) -> Plan:

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from pydantic_core import PydanticCustomError
 
-from springback.campaign.columns import FLIGHT, RESULT, known_columns
+from springback.campaign.columns import FLIGHT, RESULT, SECOND_OUTCOME, known_columns
 from springback.errors import InputError, excerpt
 from springback.quantities import si_number
 from springback.results.database import identifier, literal
@@ -86,7 +86,7 @@ def alternatives(
 def _term(text: str, fields: Mapping[str, str | None], judged: bool) -> ColumnCondition:
     """A comparison, an outcome or the verdict."""
     columns: dict[str, str | None] = {name: unit for name, (unit, _) in known_columns().items()}
-    columns |= {**dict.fromkeys(("robot", "outcome")), **fields}
+    columns |= {**dict.fromkeys(("robot", "outcome", *SECOND_OUTCOME)), **fields}
     outcomes = [outcome.word for outcome in Outcome]
     found = _OUTCOME.fullmatch(text)
     if found is not None:

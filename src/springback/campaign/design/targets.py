@@ -40,6 +40,10 @@ DEALT = {
     "name": "a flight of a campaign has a number instead",
     "pilot": "name pilots under pilots, or vary a parameter of it",
     "pilot.code": "name pilots under pilots",
+    "second": "vary a field of it",
+    "second.preset": "vary a field of it",
+    "second.seed": "each flight has its own, from the plan's seed",
+    "second.name": "a flight of a campaign has a number instead",
 }
 
 

@@ -28,6 +28,8 @@ EDGE_ON = 0.2
 """A face is not drawn if its normal's component in the plane of the view is below this."""
 TOUCHED = 0.06
 """Chosen: a contact point that is farther from all planes is on a body [m]; mats are compressed."""
+LEVEL = 0.05
+"""Chosen: two vehicles closer than this from above are one above the other [m]."""
 BESIDE, SAME = 1.0, 1e-9
 """Chosen: outlines are of bodies within this of the plane of a view; points that are one [m]."""
 
@@ -124,13 +126,16 @@ def at_instant(thing: Drawable, now: SceneInstant) -> Drawable:
     return thing._replace(centre=centre, normal=normal, across=across, along=along)
 
 
-def views(scene: Scene) -> tuple[ViewPlane, ViewPlane]:
-    """Side view, with the first obstacle hit on the right, and top view.
+def views(scene: Scene, beside: Scene | None = None) -> tuple[ViewPlane, ViewPlane]:
+    """Side view, with the first obstacle hit, or the other vehicle, on the right, and top view.
 
     Args:
         scene: Of a flight.
+        beside: That of a second vehicle in its world.
     """
     right, through = np.array([1.0, 0.0, 0.0]), scene.position[0]
+    if beside is not None:
+        return _views_of_two(scene, beside)
     touched = np.flatnonzero(np.abs(scene.force).max(axis=(1, 2)) > 0.0)
     if len(touched):
         k = touched[0]
@@ -140,6 +145,20 @@ def views(scene: Scene) -> tuple[ViewPlane, ViewPlane]:
         level = float(np.hypot(*toward[:2]))
         if level > 0.5:
             right = np.array([*(toward[:2] / level), 0.0])
+    return _planes(right, through)
+
+
+def _views_of_two(scene: Scene, beside: Scene) -> tuple[ViewPlane, ViewPlane]:
+    """Views with the second vehicle on the right of the first at the first touch, or the start."""
+    when = float(scene.t[0]) if scene.first_touch is None else scene.first_touch
+    here, there = (pose(one, when).position for one in (scene, beside))
+    away = there - here
+    level = float(np.hypot(*away[:2]))
+    right = np.array([*(away[:2] / level), 0.0]) if level > LEVEL else np.array([1.0, 0.0, 0.0])
+    return _planes(right, here)
+
+
+def _planes(right: Array, through: Array) -> tuple[ViewPlane, ViewPlane]:
     up = np.array([0.0, 0.0, 1.0])
     return ViewPlane(right, up, through), ViewPlane(right, np.cross(up, right), through)
 

@@ -89,7 +89,7 @@ def write_film(
     """Write a film of one flight, or of two side by side, synchronised at first touch.
 
     Args:
-        scenes: One or two.
+        scenes: Of one world, or of two; each has one vehicle or two.
         path: Ends in .gif, .webp or .mp4.
         slow: Slow-motion factor of impacts.
         begin: First instant, from first touch [s]; by default shortly before it.
@@ -105,10 +105,10 @@ def write_film(
         InputError: If there is nothing to show, the suffix is unknown, or an extra is missing.
     """
     check(path, slow=slow, begin=begin, end=end, fps=fps, size=size, force=True)
-    from springback.interfaces.animation.frame import Frame
+    from springback.interfaces.animation.frame import Frame, worlds_of
 
     when = timing(scenes, slow=slow, begin=begin, end=end, fps=fps)
-    picture, count = Frame(scenes, when, size or SIZES[len(scenes)]), len(when.t)
+    picture, count = Frame(scenes, when, size or SIZES[len(worlds_of(scenes))]), len(when.t)
     frames = []
     for k in range(count):
         frames.append(picture.at(k))

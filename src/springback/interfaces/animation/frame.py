@@ -15,7 +15,7 @@ from springback.interfaces.animation.bodies import SceneInstant, pose, views
 from springback.interfaces.animation.panel import ScenePanel
 from springback.interfaces.animation.timing import EARLY, LATE, FilmTiming, origin
 from springback.interfaces.figures.style import escape
-from springback.interfaces.output.robots import GREY, INK, ROBOTS
+from springback.interfaces.output.robots import GREY, INK, ROBOTS, RobotStyle
 from springback.interfaces.replay.scene import Scene
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -42,16 +42,16 @@ class Frame:
         """Create the figure.
 
         Args:
-            scenes: One, or two side by side.
+            scenes: Of one world, or of two side by side; each has one vehicle or two.
             timing: Of the film.
             size: Width and height [px].
         """
-        self.scenes, self.timing = tuple(scenes), timing
+        self.scenes, self.timing, self.worlds = tuple(scenes), timing, worlds_of(scenes)
         self.unit = min(size[0] / 720, size[1] / 540)
         self.figure = Figure(figsize=(size[0] / 100, size[1] / 100), dpi=100, facecolor="white")
         self.canvas = _canvas(self.figure)
         self.newton = ARROW / max(1.0, *(float(_size(s.force).max(initial=0.0)) for s in scenes))
-        self.panels = [self._column(k) for k in range(len(self.scenes))]
+        self.panels = [self._column(k) for k in range(len(self.worlds))]
         self.reach = max(arm.length + arm.cage_radius for s in scenes for arm in s.arms)
         self.ways = [[self._way(panel) for panel in column] for column in self.panels]
         self.curve = _Curve(self)
@@ -62,18 +62,28 @@ class Frame:
     def at(self, k: int) -> Array:
         """Pixels of frame ``k``, shape (height, width, 3), 8 bits."""
         when, slowness = float(self.timing.t[k]), float(self.timing.slowness[k])
-        poses = [pose(scene, origin(scene) + when) for scene in self.scenes]
+        poses = [[pose(scene, origin(scene) + when) for scene in each] for each in self.worlds]
         self._aim(poses, when)
-        for scene, now, column in zip(self.scenes, poses, self.panels, strict=True):
-            past = scene.position[_places(scene, self.timing.begin, when)]
+        for scenes, now, column in zip(self.worlds, poses, self.panels, strict=True):
+            pasts = [one.position[_places(one, self.timing.begin, when)] for one in scenes]
             for panel in column:
-                panel.turn(now, past, self.newton)
-            column[0].said.set_text(_caption(scene, now))
+                panel.turn(now, pasts, self.newton)
+            captions = map(_caption if len(scenes) == 1 else _short_caption, scenes, now)
+            column[0].said.set_text("\n".join(captions))
         self.curve.turn(when)
         sign = "+" if when >= 0.0 else "−"
         self.words[0].set_text(f"t = {sign}{1e3 * abs(when):.0f} ms")
         self.words[1].set_text(f"slow motion 1/{slowness:.0f}")
         return self._background()
+
+    def look_of(self, k: int) -> RobotStyle:
+        """Look of the robot of a scene."""
+        found = [
+            LOOKS[(world + row) % 2]
+            for world, scenes in enumerate(self.worlds)
+            for row, _ in enumerate(scenes)
+        ]
+        return found[k]
 
     def _background(self) -> Array:
         """Pixels of the static artists, drawn once; moving ones are drawn on top."""
@@ -96,20 +106,22 @@ class Frame:
 
     def _column(self, k: int) -> tuple[ScenePanel, ScenePanel]:
         """Draw a scene from the side and, below, from above."""
-        scene, width, height = self.scenes[k], 1.0 / len(self.scenes), 1.0 - CURVE - HEAD
-        side, above = views(scene)
+        scenes, width, height = self.worlds[k], 1.0 / len(self.worlds), 1.0 - CURVE - HEAD
+        side, above = views(*scenes)
         low = CURVE + (1.0 - SIDE) * height
-        upper = self._panel(scene, side, k, (k * width, low, width, SIDE * height), "from the side")
+        upper = self._panel(k, side, (k * width, low, width, SIDE * height), "from the side")
         box = (k * width, CURVE, width, (1.0 - SIDE) * height)
-        lower = self._panel(scene, above, k, box, "from above")
-        upper.ax.text(
-            0.015, 0.95, escape(scene.label), transform=upper.ax.transAxes, va="top",
-            weight="bold", fontsize=12 * self.unit, color=LOOKS[k % 2].colour,
-        )  # fmt: skip
+        lower = self._panel(k, above, box, "from above")
+        for row, scene in enumerate(scenes):
+            upper.ax.annotate(
+                escape(scene.label), (0.015, 0.95), (0.0, -15.0 * row * self.unit),
+                xycoords="axes fraction", textcoords="offset points", va="top", weight="bold",
+                fontsize=12 * self.unit, color=LOOKS[(k + row) % 2].colour,
+            )  # fmt: skip
         return upper, lower
 
     def _panel(
-        self, scene: Scene, view: Any, k: int, box: tuple[float, float, float, float], words: str
+        self, k: int, view: Any, box: tuple[float, float, float, float], words: str
     ) -> ScenePanel:
         x, y, width, height = box
         ax = self.figure.add_axes((x + GAP, y + GAP, width - 2 * GAP, height - 2 * GAP))
@@ -118,32 +130,49 @@ class Frame:
             spine.set(color="#D5D9DE", linewidth=0.8)
         size = 9 * self.unit
         ax.text(0.015, 0.03, words, transform=ax.transAxes, fontsize=size, color="#5B6067")
-        return ScenePanel(ax, view, scene, LOOKS[k % 2].colour, self.unit)
+        colours = [LOOKS[(k + row) % 2].colour for row in range(len(self.worlds[k]))]
+        return ScenePanel(ax, view, self.worlds[k], colours, self.unit)
 
     # -- where to look ----------------------------------------------------------------------------
 
-    def _aim(self, poses: Sequence[SceneInstant], when: float) -> None:
+    def _aim(self, poses: Sequence[Sequence[SceneInstant]], when: float) -> None:
         """Set one scale for all views: zoomed in around impacts, following on long flights."""
         half = max(half for column in self.ways for half, _ in column)
         follow, half = half > WIDEST, min(half, WIDEST)
         tall = self.panels[0][1].shape()
-        close = min(half, NEAR * self.reach * max(1.0, 0.8 / tall))
+        centres = [np.mean([now.position for now in each], axis=0) for each in poses]
+        apart = max(
+            float(_size(now.position - centre))
+            for each, centre in zip(poses, centres, strict=True)
+            for now in each
+        )
+        close = min(half, (NEAR * self.reach + apart) * max(1.0, 0.8 / tall))
         share = max((_nearness(when, a, b) for a, b in self.timing.slow), default=0.0)
         half = float(np.exp((1 - share) * np.log(half) + share * np.log(close)))
-        for now, ways, column in zip(poses, self.ways, self.panels, strict=True):
+        for centre, ways, column in zip(centres, self.ways, self.panels, strict=True):
             for (_, middle), panel in zip(ways, column, strict=True):
-                here = panel.view(now.position)
+                here = panel.view(centre)
                 panel.look(here if follow else (1 - share) * middle + share * here, half)
 
     def _way(self, panel: ScenePanel) -> tuple[float, Array]:
         """Half width and centre of a view that shows the whole path of a scene [m]."""
-        inside = _places(panel.scene, self.timing.begin, self.timing.end)
-        way = panel.view(panel.scene.position[inside])
+        begin, end = self.timing.begin, self.timing.end
+        way = np.concatenate(
+            [panel.view(one.position[_places(one, begin, end)]) for one in panel.scenes]
+        )
         low, high = way.min(axis=0), way.max(axis=0)
         wide, tall = 0.5 * (high - low) + 1.15 * self.reach
         if panel.view.up[2] > 0.5:  # a robot is flat when seen from the side
             tall -= 0.6 * self.reach
         return max(float(wide), float(tall) / panel.shape()), 0.5 * (low + high)
+
+
+def worlds_of(scenes: Sequence[Scene]) -> list[list[Scene]]:
+    """Scenes by their worlds, in order."""
+    found: dict[int, list[Scene]] = {}
+    for scene in scenes:
+        found.setdefault(scene.world, []).append(scene)
+    return list(found.values())
 
 
 def _canvas(figure: Figure) -> Any:
@@ -174,6 +203,11 @@ def _caption(scene: Scene, now: SceneInstant) -> str:
     return "\n".join(lines)
 
 
+def _short_caption(scene: Scene, now: SceneInstant) -> str:
+    """The same in one line, for one of two robots."""
+    return f"{escape(scene.label)}: {', '.join(_caption(scene, now).splitlines())}"
+
+
 def _nearness(when: float, begin: float, end: float) -> float:
     """Zoom from 0 to 1: 1 in slow motion, eased at its ends."""
     away = max(0.0, begin + EARLY - when, when - (end - LATE))
@@ -201,7 +235,7 @@ class _Curve:
             values = next(s.values for s in scene.series if s.panel == "Acceleration")
             t = scene.t - origin(scene)
             top = max(top, float(values[(t >= begin) & (t <= end)].max(initial=0.0)))
-            look = LOOKS[k % 2]
+            look = picture.look_of(k)
             name = escape(scene.label)
             (line,) = self.ax.plot([], [], lw=1.8 * unit, label=name, **look.curve)
             (dot,) = self.ax.plot([], [], "o", ms=5 * unit, color=look.colour)

@@ -1,9 +1,9 @@
-"""One view of one robot in a film."""
+"""One view of a robot in a film, or of two in one world."""
 
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -55,58 +55,57 @@ FAINT = 0.004
 
 
 class ScenePanel:
-    """A view of a scene; ``moving`` holds its artists in drawing order."""
+    """A view of the vehicles of a world; ``moving`` holds its artists in drawing order."""
 
-    def __init__(self, ax: Axes, view: ViewPlane, scene: Scene, colour: str, unit: float) -> None:
+    def __init__(
+        self,
+        ax: Axes,
+        view: ViewPlane,
+        scenes: Sequence[Scene],
+        colours: Sequence[str],
+        unit: float,
+    ) -> None:
         """Create all lines and areas.
 
         Args:
             ax: Axes to draw in.
             view: The plane.
-            scene: Scene of a flight.
-            colour: Colour of the robot.
+            scenes: Of a flight, and of a second vehicle in its world if there is one.
+            colours: Colours of the robots.
             unit: Scale of type and line widths.
         """
-        self.ax, self.view, self.scene = ax, view, scene
+        self.ax, self.view, self.scenes, self.scene = ax, view, tuple(scenes), scenes[0]
         self.moving: list[Artist] = []
         self.changing: list[tuple[Any, Drawable, Outlines]] = []
         self._obstacles(unit)
         rod: dict[str, Any] = {"color": GREY, "lw": 1.0 * unit}
-        self.rods = [self._line(**rod) for _ in scene.bodies]
-        self.trail = self._line(color=colour, lw=1.2 * unit, alpha=0.55)
-        arms = range(len(scene.arms))
-        dotted: dict[str, Any] = {"color": GREY, "lw": 0.9 * unit, "ls": (0, (2, 2))}
-        self.free = [self._line(**dotted) for _ in arms]
-        self.cages = [self._line(color=INK, lw=1.5 * unit) for _ in arms]
-        widths = [1.2 if arm.compliant else 3.0 for arm in scene.arms]
-        self.arms = [self._line(color=colour, lw=width * unit) for width in widths]
-        bar: dict[str, Any] = {"color": GREEN, "lw": 2.6 * unit, "solid_capstyle": "butt"}
-        self.thrusts = [self._line(**bar) for _ in arms]
-        self.hull = [self._line(color=INK, lw=0.9 * unit, alpha=0.6) for _ in scene.hull]
-        self.at_ends = [self._line(color=INK, lw=0.9 * unit, alpha=0.6) for _ in arms]
-        self.mast = self._line(color=INK, lw=1.4 * unit)
-        self.body = Polygon(np.zeros((3, 2)), fc=colour, ec=INK, lw=0.8 * unit)
-        self._moves(ax.add_patch(self.body))
+        self.rods = [self.line(**rod) for _ in self.scene.bodies]
+        self.robots = [
+            RobotLines(self, scene, colour, unit)
+            for scene, colour in zip(scenes, colours, strict=True)
+        ]
         look: dict[str, Any] = {"facecolors": ORANGE, "edgecolors": INK, "linewidths": 0.5 * unit}
         self.forces = PolyCollection([], **look)
-        self._moves(ax.add_collection(self.forces))
-        self.scale = self._line(color=INK, lw=2.0 * unit, solid_capstyle="butt")
+        self.animate(ax.add_collection(self.forces))
+        self.scale = self.line(color=INK, lw=2.0 * unit, solid_capstyle="butt")
         self.length = ax.text(0.0, 0.0, "", fontsize=9 * unit, ha="center", va="bottom", color=INK)
         self.said = ax.text(
             0.985, 0.96, "", transform=ax.transAxes, ha="right", va="top", fontsize=10 * unit,
             color=INK, linespacing=1.35,
             bbox={"facecolor": "white", "alpha": 0.85, "lw": 0.0, "pad": 2.0},
         )  # fmt: skip
-        self._moves(self.length)
-        self._moves(self.said)
+        self.animate(self.length)
+        self.animate(self.said)
 
-    def _moves(self, artist: Any) -> None:
+    def animate(self, artist: Any) -> None:
+        """Draw an artist in every frame."""
         artist.set_animated(True)
         self.moving.append(artist)
 
-    def _line(self, **look: Any) -> Line2D:
+    def line(self, **look: Any) -> Line2D:
+        """A new line that is drawn in every frame."""
         line = self.ax.add_line(Line2D([], [], solid_joinstyle="round", **look))
-        self._moves(line)
+        self.animate(line)
         return line
 
     def _obstacles(self, unit: float) -> None:
@@ -125,7 +124,7 @@ class ScenePanel:
             else:  # a piece of a surface
                 pieces = list(plane_section(thing, self.view))
                 mesh = LineCollection(pieces, colors=GREY, linewidths=1.6 * unit)
-                self._moves(self.ax.add_collection(mesh))
+                self.animate(self.ax.add_collection(mesh))
         for thing in walls:
             if thing.kind == "ground":
                 self._face(thing, edge)
@@ -141,7 +140,7 @@ class ScenePanel:
         found = outlines(thing, self.view)
         if found or thing.track >= 0:
             patch = self.ax.add_patch(PathPatch(_path(found), **look))
-            self._moves(patch)
+            self.animate(patch)
             if thing.track >= 0:
                 self.changing.append((patch, thing, outlines))
 
@@ -166,20 +165,66 @@ class ScenePanel:
         self.length.set_position((right - 0.5 * bar, y + 0.02 * half))
         self.length.set_text(f"{bar:g} m")
 
-    def turn(self, now: SceneInstant, past: Array, newton: float) -> None:
+    def turn(self, poses: Sequence[SceneInstant], pasts: Sequence[Array], newton: float) -> None:
         """Move all artists to an instant.
 
         Args:
-            now: The instant.
-            past: Positions of the main body up to now [m].
+            poses: The instant of each scene.
+            pasts: Positions of each main body up to now [m].
             newton: Length of an arrow per force [m/N].
         """
-        view, scene = self.view, self.scene
+        view, now = self.view, poses[0]
         there = {id(thing): at_instant(thing, now) for _, thing, _ in self.changing}
         for patch, thing, outlines in self.changing:
             patch.set_path(_path(outlines(there[id(thing)], view)))
         for line, body in zip(self.rods, now.bodies, strict=True):
             line.set_data(*view(body.rod).T)
+        for robot, pose, past in zip(self.robots, poses, pasts, strict=True):
+            robot.turn(pose, past)
+        self.forces.set_verts([
+            arrow(view(pose.point[j] - newton * force), view(pose.point[j]))
+            for pose in poses
+            for j, force in enumerate(pose.force)
+            if np.linalg.norm(force) * newton > FAINT
+        ])  # fmt: skip
+
+
+class RobotLines:
+    """Lines and areas of one robot in a view."""
+
+    def __init__(self, panel: ScenePanel, scene: Scene, colour: str, unit: float) -> None:
+        """Create them.
+
+        Args:
+            panel: View that they are in.
+            scene: Scene of the robot.
+            colour: Its colour.
+            unit: Scale of line widths.
+        """
+        self.view, self.scene = panel.view, scene
+        self.trail = panel.line(color=colour, lw=1.2 * unit, alpha=0.55)
+        arms = range(len(scene.arms))
+        dotted: dict[str, Any] = {"color": GREY, "lw": 0.9 * unit, "ls": (0, (2, 2))}
+        self.free = [panel.line(**dotted) for _ in arms]
+        self.cages = [panel.line(color=INK, lw=1.5 * unit) for _ in arms]
+        widths = [1.2 if arm.compliant else 3.0 for arm in scene.arms]
+        self.arms = [panel.line(color=colour, lw=width * unit) for width in widths]
+        bar: dict[str, Any] = {"color": GREEN, "lw": 2.6 * unit, "solid_capstyle": "butt"}
+        self.thrusts = [panel.line(**bar) for _ in arms]
+        self.hull = [panel.line(color=INK, lw=0.9 * unit, alpha=0.6) for _ in scene.hull]
+        self.at_ends = [panel.line(color=INK, lw=0.9 * unit, alpha=0.6) for _ in arms]
+        self.mast = panel.line(color=INK, lw=1.4 * unit)
+        self.body = Polygon(np.zeros((3, 2)), fc=colour, ec=INK, lw=0.8 * unit)
+        panel.animate(panel.ax.add_patch(self.body))
+
+    def turn(self, now: SceneInstant, past: Array) -> None:
+        """Move all to an instant.
+
+        Args:
+            now: The instant.
+            past: Positions of the main body up to now [m].
+        """
+        view, scene = self.view, self.scene
         self.trail.set_data(*view(np.vstack([past, now.position])).T)
         tips, free = ends(scene.arms, now), ends(scene.arms, now, free=True)
         for j, arm in enumerate(scene.arms):
@@ -192,18 +237,12 @@ class ScenePanel:
             self.thrusts[j].set_data(*view(np.array([tips[j], tips[j] + bar])).T)
         for line, shape in zip(self.hull, scene.hull, strict=True):
             line.set_data(*hull_outline(shape, now, view).T)
-        at = ends(scene.arms, now)
-        for line, arm, origin in zip(self.at_ends, scene.arms, at, strict=True):
+        for line, arm, origin in zip(self.at_ends, scene.arms, tips, strict=True):
             line.set_data(*outlines_of(arm.hulls, origin, now, view).T)
         mast = np.array([now.position, now.position + MAST * now.rotation[:, 2]])
         self.mast.set_data(*view(mast).T)
         rims = view(np.vstack(body_outline(now)))
         self.body.set_xy(rims[ConvexHull(rims).vertices])
-        self.forces.set_verts([
-            arrow(view(now.point[j] - newton * force), view(now.point[j]))
-            for j, force in enumerate(now.force)
-            if np.linalg.norm(force) * newton > FAINT
-        ])  # fmt: skip
 
 
 def _behind(depth: float, thing: Drawable, view: ViewPlane) -> list[Array]:

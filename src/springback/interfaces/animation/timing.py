@@ -42,6 +42,8 @@ def origin(scene: Scene) -> float:
     Args:
         scene: Of a flight.
     """
+    if scene.first_touch is not None:
+        return scene.first_touch
     return scene.impacts[0][0] if scene.impacts else float(scene.t[0])
 
 

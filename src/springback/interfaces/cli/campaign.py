@@ -256,7 +256,7 @@ def _columns(known: Any) -> list[tuple[Any, ...]]:
     """Name, unit and meaning of every column."""
     from springback.campaign.columns import FLIGHT, RESULT, known_columns
 
-    meanings = known_columns()
+    meanings = known_columns(second=known.design.has_second)
     rest = [name for name in meanings if name not in FLIGHT and name not in RESULT]
     names = [*FLIGHT, *known.metadata["units"], *RESULT, *rest]
     units = known.units

@@ -1,12 +1,10 @@
-"""The commands ``springback fly`` and ``springback pair``."""
+"""The command ``springback fly``."""
 
 from __future__ import annotations
 
 import json
 import sys
 import warnings
-from contextlib import ExitStack
-from dataclasses import replace
 from pathlib import Path
 
 import click
@@ -31,6 +29,7 @@ def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: O
     springback fly scenario.toml --out results
     springback fly scenario.toml vehicle.arms.stiffness="6 N/mm" start.pitch="15 deg" --out results
     springback fly scenario.toml --pilot my_pilot.py:hover --out results
+    springback fly scenario.toml second=other.toml --out results
     """
     from springback.interfaces.output.folders import SUMMARY
     from springback.interfaces.reports.flight_files import FLIGHT_FILES, write_flight
@@ -50,54 +49,10 @@ def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: O
                 flight = fly_scenario(ready, pilot=own)
             written = write_flight(flight, folder, figures=output.wants_figures())
         summary = (folder / SUMMARY).read_text(encoding="utf-8")
-    output.print(json.loads(summary), repr(flight))
+    flights = [one for one in (flight, flight.second) if one is not None]
+    output.print(json.loads(summary), "\n".join(map(repr, flights)))
     output.note_written(written)
-    for sentence in flight.remarks.values():
+    for sentence in (line for one in flights for line in one.remarks.values()):
         say(f"warning: {sentence}")
-    if not flight.is_finite:
-        sys.exit(1)
-
-
-#: Folders of both flights.
-SIDES = ("first", "second")
-
-
-@click.command()
-@click.argument("first", type=ScenarioPath())
-@click.argument("second", type=ScenarioPath())
-@output_options("Folder for both flights, in first/ and second/.")
-def pair(first: Path, second: Path, output: Output) -> None:
-    """Fly the vehicles of two scenario files together in one world: they can strike each other.
-
-    \b
-    springback pair pair_first.toml pair_second.toml --out results
-    springback view results/first results/second
-
-    World, clock and duration of both files must be the same.
-    """
-    from springback.batch.pair import fly_pair
-    from springback.interfaces.output.folders import SUMMARY
-    from springback.interfaces.reports.flight_files import FLIGHT_FILES, write_flight
-    from springback.scenario.files import read_scenario
-
-    ready = read_scenario(first), read_scenario(second)
-    assert output.out is not None
-    sides = [replace(output, out=output.out / name) for name in SIDES]
-    with ExitStack() as stack:
-        folders = [stack.enter_context(side.folder(FLIGHT_FILES)) for side in sides]
-        with output.spinner(FIRST), warnings.catch_warnings():
-            warnings.simplefilter("ignore", FlightWarning)  # printed below
-            flights = fly_pair(*ready)
-        figures = output.wants_figures()
-        for flight, folder in zip(flights, folders, strict=True):
-            write_flight(flight, folder, figures=figures)
-        summaries = [(folder / SUMMARY).read_text(encoding="utf-8") for folder in folders]
-    named = zip(SIDES, summaries, strict=True)
-    found = {name: json.loads(summary) for name, summary in named}
-    output.print(found, "\n".join(f"{n}: {f!r}" for n, f in zip(SIDES, flights, strict=True)))
-    output.note_written()
-    for flight in flights:
-        for sentence in flight.remarks.values():
-            say(f"warning: {sentence}")
-    if not all(flight.is_finite for flight in flights):
+    if not all(one.is_finite for one in flights):
         sys.exit(1)

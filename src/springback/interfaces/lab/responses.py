@@ -20,7 +20,8 @@ from springback.interfaces.lab.scenarios import (
 from springback.interfaces.lab.settings import LabSettings, query_of
 from springback.interfaces.lab.vehicles import robot_name
 from springback.interfaces.replay.geometry import Drawable
-from springback.interfaces.replay.scene import Scene, Series, plain, scene_of
+from springback.interfaces.replay.labels import in_one_world
+from springback.interfaces.replay.scene import Scene, Series, plain, scene_beside, scene_of
 from springback.results.energy_history import ledger
 from springback.results.flight import Flight, fly
 
@@ -63,7 +64,10 @@ def answer(settings: LabSettings) -> dict[str, Any]:
         flown_all = pool.map(lambda robot: fly(lab_scenario(settings, robot)), robots)
         flights = dict(zip(robots, flown_all, strict=True))
     flown = time.perf_counter()
-    scenes = [_flight_response(settings, robot, flight) for robot, flight in flights.items()]
+    scenes = [
+        _flight_response(settings, robot, flight, world)
+        for world, (robot, flight) in enumerate(flights.items())
+    ]
     return {
         "query": query_of(settings),
         "settings": settings.model_dump(),
@@ -78,16 +82,17 @@ def answer(settings: LabSettings) -> dict[str, Any]:
     }
 
 
-def _flight_response(settings: LabSettings, robot: str, flight: Flight) -> dict[str, Any]:
-    """A flight as its scene, with the curves of the lab in place of the scene's own."""
-    coarse = coarse_flight(flight)
-    label = robot_name(settings, robot)
-    scene = scene_of(coarse, label=label)
-    energies = ledger(flight)
-    series = (
-        *curves(coarse, scene),
-        *energy_series(energies, np.searchsorted(energies["t"], scene.t)),
-    )
+def _flight_response(
+    settings: LabSettings, robot: str, flight: Flight, world: int
+) -> dict[str, Any]:
+    """A flight as its scene, with that of a second vehicle, and with the curves of the lab."""
+    coarse, label = coarse_flight(flight), robot_name(settings, robot)
+    drawn = [(flight, coarse, scene_of(coarse, label=label))]
+    if flight.second is not None and coarse.second is not None:
+        name = flight.second.scenario.name
+        drawn.append((flight.second, coarse.second, scene_beside(coarse, label=name)))
+    scenes = in_one_world([_lab_scene(settings, *one) for one in drawn])
+    shown = [plain(replace(scene, world=world)) for scene in scenes]
     return {
         "robot": robot,
         "label": label,
@@ -95,8 +100,19 @@ def _flight_response(settings: LabSettings, robot: str, flight: Flight) -> dict[
         "sentence": sentence(settings, robot, flight),
         "well": went_well(settings, flight),
         "file": file_name(settings, robot),
-        "scene": plain(replace(scene, series=series, obstacles=_nearby(settings, scene.obstacles))),
+        "scene": shown[0],
+        "second": shown[1] if len(shown) > 1 else None,
     }
+
+
+def _lab_scene(settings: LabSettings, flight: Flight, coarse: Flight, scene: Scene) -> Scene:
+    """A scene with the curves of the lab in place of its own."""
+    energies = ledger(flight)
+    series = (
+        *curves(coarse, scene),
+        *energy_series(energies, np.searchsorted(energies["t"], scene.t)),
+    )
+    return replace(scene, series=series, obstacles=_nearby(settings, scene.obstacles))
 
 
 def _nearby(settings: LabSettings, things: tuple[Drawable, ...]) -> tuple[Drawable, ...]:
@@ -115,25 +131,35 @@ def _nearby(settings: LabSettings, things: tuple[Drawable, ...]) -> tuple[Drawab
 
 
 def coarse_flight(flight: Flight) -> Flight:
-    """A flight with fewer instants, for transfer to a page.
+    """A flight with fewer instants, for transfer to a page; those of two vehicles are the same.
 
     One step per `RESOLUTION`, or fewer if that leaves too many, is kept, together with touches,
     separations and the peak.
     """
-    c, m = flight.columns, flight.measures
-    t = c["t"]
+    t, second = flight.columns["t"], flight.second
     keep, resolution = np.ones(len(t), dtype=bool), RESOLUTION
     while resolution == RESOLUTION or keep.sum() > MOST:
         bins = np.floor(t / resolution)
         keep[1:] = bins[1:] > bins[:-1]
         resolution *= 2.0
+    for one in (flight, second):
+        if one is not None:
+            keep[_turning_points(one)] = True
+
+    def thinned(one: Flight) -> Flight:
+        return replace(one, columns={name: values[keep] for name, values in one.columns.items()})
+
+    return replace(thinned(flight), second=None if second is None else thinned(second))
+
+
+def _turning_points(flight: Flight) -> Any:
+    """Rows of touches, separations, the peak and the end."""
+    c, m, t = flight.columns, flight.measures, flight.columns["t"]
     touching = np.sum([c[name] for name in c if name.startswith("fn")], axis=0) > 0.0
     changes = np.flatnonzero(touching[1:] != touching[:-1])
-    keep[np.concatenate([changes, changes + 1, [len(t) - 1]])] = True
-    for name in ("touch_time", "separation_time", "impact_peak_acceleration_time"):
-        if (when := m[name]) is not None:
-            keep[min(int(np.searchsorted(t, when)), len(t) - 1)] = True
-    return replace(flight, columns={name: values[keep] for name, values in c.items()})
+    whens = [m[n] for n in ("touch_time", "separation_time", "impact_peak_acceleration_time")]
+    rows = [min(int(np.searchsorted(t, when)), len(t) - 1) for when in whens if when is not None]
+    return np.concatenate([changes, changes + 1, rows, [len(t) - 1]]).astype(np.intp)
 
 
 def curves(flight: Flight, scene: Scene) -> Iterable[Series]:

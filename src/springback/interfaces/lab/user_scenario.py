@@ -17,7 +17,7 @@ from springback.kernels.vectors import Vec
 from springback.scenario.code_files import with_absolute_names
 from springback.scenario.files import read_scenario
 from springback.scenario.overrides import apply_overrides
-from springback.scenario.presets import is_vehicle_file, thrust_of, vehicle_table
+from springback.scenario.presets import is_vehicle_file, second_tables, thrust_of, vehicle_table
 from springback.scenario.scenario import Scenario
 from springback.scenario.source_text import source_text, toml_tables
 from springback.scenario.worlds.imported import single_obstacles
@@ -144,6 +144,8 @@ def read_user_scenario(path: Path, overrides: Sequence[str] = ()) -> UserScenari
         given["vehicle"] = _without_none(vehicle_table(vehicle))
     if "thrust" in given:
         given["thrust"] = thrust_of(given["thrust"])
+    if given.get("second") is not None:
+        given["second"] = _without_none(second_tables(given["second"]))
     return UserScenario(path.name, given, scenario)
 
 

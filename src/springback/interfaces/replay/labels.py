@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from springback.interfaces.output.robots import robot_label
-from springback.interfaces.replay.scene import Scene, scene_of
+from springback.interfaces.replay.scene import Scene, scene_beside, scene_of
 from springback.results.flight import Flight
 
 #: Most differing settings that are named (chosen); further ones are counted.
@@ -41,17 +41,45 @@ def labels_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> 
 def scenes_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> list[Scene]:
     """Scenes of flights to show side by side; each has a remark on settings unlike the first's.
 
+    A second vehicle follows the first one of its world.
+
     Args:
         flights: One or several.
         origins: Folder or file that each was read from, if any.
     """
-    labels = labels_of(flights, origins)
-    scenes = [scene_of(f, label=label) for f, label in zip(flights, labels, strict=True)]
-    for k, flight in enumerate(flights[1:], start=1):
-        if said := difference(flights[0], flight):
-            note = f"differs from {labels[0]} in {said}"
-            scenes[k] = replace(scenes[k], notes=(*scenes[k].notes, note))
+    places: Sequence[str | Path] = origins or [""] * len(flights)
+    named = [
+        one
+        for flight, place in zip(flights, places, strict=True)
+        for one in [(flight, place), (flight.second, f"{place}, second")][: vehicles_of(flight)]
+    ]
+    labels = iter(
+        labels_of(
+            [flight for flight, _ in named if flight is not None],
+            [place for _, place in named] if origins else (),
+        )
+    )
+    scenes = list[Scene]()
+    for k, flight in enumerate(flights):
+        found = [replace(scene_of(flight, label=next(labels)), world=k)]
+        if k and (said := difference(flights[0], flight)):
+            note = f"differs from {scenes[0].label} in {said}"
+            found[0] = replace(found[0], notes=(*found[0].notes, note))
+        if flight.second is not None:
+            found.append(replace(scene_beside(flight, label=next(labels)), world=k))
+        scenes += in_one_world(found)
     return scenes
+
+
+def vehicles_of(flight: Flight) -> int:
+    """Number of vehicles of a flight."""
+    return 1 if flight.second is None else 2
+
+
+def in_one_world(scenes: Sequence[Scene]) -> list[Scene]:
+    """Scenes of one world, whose first touch is that of any of them."""
+    touches = [scene.impacts[0][0] for scene in scenes if scene.impacts]
+    return [replace(scene, first_touch=min(touches, default=None)) for scene in scenes]
 
 
 def difference(first: Flight, second: Flight) -> str:

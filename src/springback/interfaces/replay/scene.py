@@ -32,6 +32,7 @@ from springback.interfaces.replay.instants import departure, drawn_instants
 from springback.interfaces.replay.tracks import BodyTrack, body_tracks
 from springback.results.events import Event, impacts_of, parts_of
 from springback.results.flight import Flight
+from springback.results.pair.contacts import loads_on_first, loads_on_second
 from springback.results.saved import load as load
 from springback.scenario.tables import UserShape
 from springback.scenario.worlds.imported import single_obstacles
@@ -129,10 +130,14 @@ class Scene:
     """Largest error of linear interpolation between instants by quantity, SI units."""
     notes: tuple[str, ...]
     """Remarks on what the picture does not show, in sentences."""
+    first_touch: float | None = None
+    """Time of the first touch of any vehicle in its world [s]; None: that of its first impact."""
+    world: int = 0
+    """Number of its world: scenes of one world are drawn in one place."""
 
 
 def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Scene:
-    """A flight as a scene.
+    """A flight as a scene; a second vehicle has one of its own, `scene_beside`.
 
     Args:
         flight: With its trajectory.
@@ -145,11 +150,35 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
     """
     if not flight.columns:
         raise InputError("this flight has no trajectory: fly it with trajectory=True")
-    own = own or flight.own
-    model = flight.scenario.flight_model(own)
+    model = flight.scenario.flight_model(own or flight.own)
+    places = drawn_instants(flight.columns, len(model.airframe.arms))
+    if flight.second is None:
+        loads = load_history(model, flight.columns, places)
+    else:
+        loads = loads_on_first(flight.scenario, flight.columns, flight.second.columns, places)
+    return _scene(flight, model, loads, places, label, own or flight.own)
+
+
+def scene_beside(flight: Flight, *, label: str = "") -> Scene:
+    """The second vehicle of a flight as a scene.
+
+    Args:
+        flight: With a second vehicle, and both trajectories.
+        label: Label beside the first; by default the robot's name.
+    """
+    second = flight.second
+    assert second is not None
+    model = second.scenario.flight_model()
+    places = drawn_instants(second.columns, len(model.airframe.arms))
+    loads = loads_on_second(flight.scenario, flight.columns, second.columns, places)
+    return _scene(second, model, loads, places, label, ())
+
+
+def _scene(
+    flight: Flight, model: Model, loads: LoadHistory, places: Any, label: str, own: Sequence[Own]
+) -> Scene:
+    """Scene of a vehicle and its contacts at some instants."""
     c, count = flight.columns, len(model.airframe.arms)
-    places = drawn_instants(c, count)
-    loads = load_history(model, c, places)
     touches = loads.point[np.isfinite(loads.point).all(axis=2)]
     place = np.stack([c[axis][places] for axis in "xyz"], axis=1)
     all_one_by_one = single_obstacles(flight.scenario.world.obstacles)

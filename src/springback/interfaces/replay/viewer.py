@@ -9,7 +9,7 @@ from springback.errors import InputError
 from springback.extras import needs
 from springback.files import write_atomically
 from springback.interfaces.output.python_wording import python_words
-from springback.interfaces.replay.labels import scenes_of
+from springback.interfaces.replay.labels import scenes_of, vehicles_of
 from springback.interfaces.replay.scene import plain
 from springback.interfaces.replay.signals import plain_signals
 from springback.interfaces.web.page import Page, page_of
@@ -70,11 +70,14 @@ def replay_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> 
         flights: One or several, each with its trajectory.
         origins: Folder or file that each was read from, if any.
     """
+    if (count := sum(map(vehicles_of, flights))) > MOST:
+        raise InputError(f"a replay shows at most {MOST} vehicles (got {count})")
     scenes = scenes_of(flights, origins)
     named = list(dict.fromkeys(f"{scene.label}, {scene.scenario}" for scene in scenes))
     names = " and ".join(named) if len(named) < 3 else f"{len(scenes)} flights"
+    each = [one for flight in flights for one in (flight, flight.second) if one is not None]
     drawn = [plain(scene) | {"signals": plain_signals(flight, scene)}
-             for scene, flight in zip(scenes, flights, strict=True)]  # fmt: skip
+             for scene, flight in zip(scenes, each, strict=True)]  # fmt: skip
     return page_of(f"{names} – springback", "replay", {"flights": drawn})
 
 

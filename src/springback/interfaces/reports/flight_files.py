@@ -11,13 +11,16 @@ from springback.interfaces.output.folders import SUMMARY, output_folder
 from springback.interfaces.output.python_wording import python_words
 from springback.results.flight import Flight
 from springback.results.parquet import write_parquet
+from springback.results.saved import SECOND
 from springback.results.sealed_json import file_digest, with_digest
+from springback.version import __version__
 
-#: Files of a flight, which are removed when another one replaces it.
-FLIGHT_FILES = (
-    SUMMARY, "trajectory.parquet", "telemetry.parquet", FORMS,
+_NAMES = (
+    "trajectory.parquet", "telemetry.parquet",
     *(f"{name}.{kind}" for name in ("flight", "energy", "impact") for kind in ("png", "csv")),
 )  # fmt: skip
+#: Files of a flight, which are removed when another one replaces it.
+FLIGHT_FILES = (SUMMARY, FORMS, *_NAMES, *(SECOND + name for name in _NAMES))
 
 
 def save_flight(
@@ -39,7 +42,8 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
     Figures are ``flight.png`` and ``energy.png``; with a pilot ``flight.png`` shows the whole
     flight with its reference, and ``impact.png`` the collision if there was one.  The numbers of
     each are in a CSV file of the same name.  The summary lists all files with their digests
-    (``files``) and its own (``seal``), so that files of other flights are recognised.
+    (``files``) and its own (``seal``), so that files of other flights are recognised.  Those of a
+    second vehicle have the same names after ``second_``; the summary has its outcome and measures.
 
     Args:
         flight: Any.
@@ -50,26 +54,34 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
         The files written.
     """
     summary = flight.summary()
+    written = _write_vehicle(flight, folder, "", figures)
+    if flight.second is not None:
+        written += _write_vehicle(flight.second, folder, SECOND, figures)
+    written += write_forms(flight.scenario.world, folder)
+    files = {path.name: file_digest(path) for path in written}
+    write_json(folder / SUMMARY, with_digest(summary | {"files": files}))
+    return [folder / SUMMARY, *written]
+
+
+def _write_vehicle(flight: Flight, folder: Path, prefix: str, figures: bool) -> list[Path]:
+    """Write trajectory, telemetry and figures of one vehicle; returns the files."""
     written = []
     about = {
-        "springback": summary["springback"],
+        "springback": __version__,
         "name": flight.scenario.name,
         "frames": "world NWU, body FLU",
     }
     for stem, columns in {"trajectory": flight.columns, "telemetry": flight.telemetry}.items():
         if columns:
-            path = folder / f"{stem}.parquet"
+            path = folder / f"{prefix}{stem}.parquet"
             write_parquet(path, columns, {name: flight.units[name] for name in columns}, about)
             written.append(path)
-    written += write_forms(flight.scenario.world, folder)
     if figures:
         for stem, (picture, numbers) in _pictures(flight).items():
-            written += [folder / f"{stem}.png", folder / f"{stem}.csv"]
+            written += [folder / f"{prefix}{stem}.png", folder / f"{prefix}{stem}.csv"]
             written[-2].write_bytes(picture)
             written[-1].write_text(numbers, encoding="utf-8")
-    files = {path.name: file_digest(path) for path in written}
-    write_json(folder / SUMMARY, with_digest(summary | {"files": files}))
-    return [folder / SUMMARY, *written]
+    return written
 
 
 def _pictures(flight: Flight) -> dict[str, tuple[bytes, str]]:

@@ -142,7 +142,8 @@ def beside_each_other(
             avionics = avionics._replace(onboard=onboard)
         return one._replace(model=one.model._replace(world=world), start=start, avionics=avionics)
 
-    none = PartPush(Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0), 0.0, 0.0)
+    still = Vec(0.0, 0.0, 0.0)
+    none = PartPush(still, still, 0.0, 0.0, still)
     a, b = beside(first, second, surface), beside(second, first, _SILENT)
     airframe = second.model.airframe
     pushes = Pushes((none,) * len(airframe.arms), (none,) * len(airframe.hull))

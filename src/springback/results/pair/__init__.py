@@ -1,0 +1,1 @@
+"""Two vehicles of one scenario: flown together, and their contacts again."""

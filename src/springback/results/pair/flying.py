@@ -1,0 +1,78 @@
+"""Two vehicles of a scenario, flown together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+from springback.contact.library import WALL
+from springback.contact.scene.faces import SolidScene
+from springback.contact.surfaces import AnyExponent
+from springback.contact.worlds import obstacles
+from springback.errors import InputError
+from springback.scenario.build import ReadyFlight
+from springback.scenario.scenario import Scenario
+from springback.simulation.flight import FlightRecord
+from springback.simulation.guided import GuidedFlown, ticks_of
+from springback.simulation.noise import noise_table
+from springback.simulation.pair.flying import PairedFlight, fly_both
+from springback.simulation.record import Model
+
+Flown = GuidedFlown | FlightRecord
+
+#: Contact of two cages: as one of them against a wall, twice in series (k^(−2/3) adds).
+TWO_CAGES = WALL.model_copy(update={"stiffness": WALL.stiffness / 2.0**WALL.exponent})
+
+
+def fly_beside(
+    scenario: Scenario,
+    first: ReadyFlight,
+    second: ReadyFlight,
+    *,
+    trace: bool = True,
+    progress: Callable[[float], None] | None = None,
+) -> tuple[Flown, Flown]:
+    """Fly two vehicles together.
+
+    Args:
+        scenario: Of both.
+        first: Flight of the first one.
+        second: That of the second.
+        trace: Record trajectories and telemetry.
+        progress: Called from time to time with the simulated time [s].
+
+    Raises:
+        InputError: If a pilot is not compiled.
+    """
+    one, other = (_side(scenario, *each) for each in (("", first), ("second.", second)))
+    period = 1.0 / scenario.clock
+    return fly_both(
+        one, other, law_between(scenario), period=period, trace=trace, progress=progress
+    )
+
+
+def law_between(scenario: Scenario) -> Any:
+    """Law of the contact between both vehicles."""
+    given = None if scenario.second is None else scenario.second.surface
+    return (TWO_CAGES if given is None else given).surface(AnyExponent, by_number=True)
+
+
+def _side(scenario: Scenario, path: str, built: ReadyFlight) -> PairedFlight:
+    if built.plain is not None:
+        raise InputError(f"{path}pilot: must be compiled to fly beside another vehicle")
+    return PairedFlight(in_a_scene(scenario, built.model), built.start, *_avionics(built))
+
+
+def in_a_scene(scenario: Scenario, model: Model) -> Model:
+    """A model whose world is a scene, whatever is in it."""
+    scene = obstacles(scenario.world.obstacles, as_scene=True)  # type: ignore[arg-type]  # checked
+    assert isinstance(scene, SolidScene)
+    return model._replace(world=model.world._replace(obstacles=scene))
+
+
+def _avionics(built: ReadyFlight) -> tuple[Any, Any]:
+    if built.built_avionics is None:
+        return None, None
+    avionics, draws = built.built_avionics
+    ticks = ticks_of(built.model.timing.until, avionics.systems.period)
+    return avionics, noise_table(built.seed, 0, ticks, draws)
