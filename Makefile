@@ -8,6 +8,7 @@ OUT ?= reproduction
 run:
 	@tools/environment all
 	$(BIN)/springback reproduce --out $(OUT) --force
+	$(BIN)/springback doctor --compile
 
 test:
 	@tools/environment dev

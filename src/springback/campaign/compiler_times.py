@@ -73,7 +73,8 @@ def flight_kinds(tables: Sequence[Mapping[str, Any]], *, alone: bool = False) ->
                 continue
             avionics = ready.built_avionics.avionics if ready.built_avionics else None
             beside = () if scenario.second is None else _types_of(scenario.beside())
-            types = repr((structure(ready.model), structure(avionics), alone, *beside))
+            own = structure(ready.model), structure(ready.start), structure(avionics)
+            types = repr((*own, alone, *beside))
             key = hashlib.sha256(types.encode()).hexdigest()[:32]
             found.setdefault(key, FlightKind(key, avionics is not None, given, alone))
     return list(found.values())
@@ -83,7 +84,7 @@ def _types_of(scenario: Scenario) -> tuple[Any, ...]:
     """Types of a second vehicle and its pilot."""
     ready = scenario.build(advises=False)
     avionics = ready.built_avionics.avionics if ready.built_avionics else None
-    return structure(ready.model), structure(avionics)
+    return structure(ready.model), structure(ready.start), structure(avionics)
 
 
 def kernel_files() -> set[Path]:

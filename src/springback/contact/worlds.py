@@ -2,7 +2,7 @@
 
 Each number of planes, with its laws, is a structure of its own to the compiler, and the fastest; a
 scene is one structure whatever it holds (docs/decisions/0027).  A world becomes a scene with its
-first obstacle that is not plane.
+first obstacle that is not plane, and with its fourth plane.
 """
 
 from __future__ import annotations
@@ -34,6 +34,8 @@ Shape = SingleShape | ShapeUnion
 BuiltIn = Wall | Ground | Mat | Shape
 ObstacleSettings = Annotated[BuiltIn, Field(discriminator="type")]
 
+#: Most planes that are no scene: a mat, what is behind it, and the ground (chosen).
+MOST_PLANES = 3
 #: Scenes that are remembered (chosen: one of 10 000 trunks takes 3 MB).
 LATEST = 16
 
@@ -72,11 +74,11 @@ def obstacles(
         return _moving_scene(settings, own, numbers or range(len(settings)))
     laws = [law for entry in settings for law in surfaces_of(entry)] + [law for _, law in own]
     holds = any(law.friction_law == "bristle" for law in laws)
-    if as_scene or holds or any(isinstance(entry, ShapeSettings) for entry in settings):
-        return _scene(settings, own)
     planes = [entry for entry in settings if not isinstance(entry, ShapeSettings)]
     all_faces: list[tuple[Any, SurfaceSettings, float]] = []
     all_faces += [face for entry in planes for face in faces(entry)]
+    if as_scene or holds or len(planes) < len(settings) or len(all_faces) > MOST_PLANES:
+        return _scene(settings, own)
     all_faces += _own_faces(own)
     exponent = _exponent_type([surface.exponent_value() for _, surface, _ in all_faces])
     if not all_faces:

@@ -59,17 +59,52 @@ def show(preset: str | None, terminal: Terminal) -> None:
 
 
 @click.command()
+@click.option(
+    "--compile",
+    "compiles",
+    is_flag=True,
+    help="Compile the kernels of SCENARIOS ahead, or of the common kinds of flight.",
+)
+@click.argument("scenarios", nargs=-1, type=PATH)
 @terminal_options("as_json", "quiet")
-def doctor(terminal: Terminal) -> None:
+def doctor(compiles: bool, scenarios: tuple[Path, ...], terminal: Terminal) -> None:
     """Check this installation: versions, extras, compiler, agreement of the executors."""
     from springback.interfaces.output.diagnosis import diagnosis
 
+    if scenarios and not compiles:
+        raise click.UsageError("SCENARIOS are compiled with --compile")
+    if compiles:
+        _compile(scenarios, terminal)
+        return
     with terminal.spinner("compiling and checking"):
         found = diagnosis()
     terminal.print(found, as_lines(found))
     if not found["compiled_equals_python"]:
         say("compiled flights differ from plain Python: please report this")
         sys.exit(1)
+
+
+def _compile(scenarios: tuple[Path, ...], terminal: Terminal) -> None:
+    """Compile the kernels of some scenarios, or of the common kinds of flight."""
+    from springback.campaign.common_flights import (
+        COMMON,
+        compilation_plan,
+        compile_ahead,
+        kinds_of,
+    )
+    from springback.kernels.compiler import cache_folder
+    from springback.results.flight import as_scenario
+
+    named = {str(file): as_scenario(file).model_dump(exclude_unset=True) for file in scenarios}
+    plan = compilation_plan(kinds_of(named or COMMON))
+    times = {one.name: 0.0 for one in plan.cached}
+    many = f"{len(plan.missing)} of {len(plan.missing) + len(plan.cached)} kinds of flight"
+    terminal.note(f"compiling {many}, some {plan.seconds:.0f} s of processor time")
+    for done in compile_ahead(plan):
+        times[done.name] = round(done.seconds, 1)
+        terminal.note(f"{done.name}: {done.seconds:.0f} s")
+    data = {"folder": str(cache_folder()), "seconds": times}
+    terminal.print(data, f"kernels of {len(times)} kinds of flight are in {cache_folder()}")
 
 
 # -- worlds of other programs ---------------------------------------------------------------------

@@ -1,0 +1,121 @@
+"""Structures that the compiler sees: one for all worlds of built-in shapes at rest, few in all."""
+
+from __future__ import annotations
+
+import itertools
+from typing import Any
+
+import pytest
+
+from builders.cases import nonempty
+from builders.forms import box_file, cells_file, hills_file
+from builders.shape_scenes import SHAPES
+from springback.campaign.common_flights import COMMON, kinds_of
+from springback.campaign.compiler_times import flight_kinds
+
+HERE = [2.7, 0.02, 1.0]
+ALL: dict[str, dict[str, Any]] = {
+    **SHAPES,
+    "heightmap": {"file": hills_file(), "spacing": 0.1, "position": HERE, "roll": "90 deg"},
+    "mesh": {"file": box_file(1.0, 1.0, 1.0), "position": [3.25, 0.0, 1.0]},
+    "occupancy": {"file": cells_file(), "position": [2.7, -0.3, 0.7]},
+    "net": {"position": HERE, "tension": 200.0},
+    "union": {"position": HERE, "shapes": [{"type": "pole", "position": [0, 0, 0], "radius": 0.05}]},
+}  # fmt: skip
+LAWS: tuple[dict[str, Any], ...] = (
+    {"law": "hunt-crossley", "dissipation": 0.3},
+    {"law": "hertz", "exponent": 2.0, "stiffness": 1e7},
+    {"law": "kelvin-voigt", "stiffness": 2e4, "viscosity": 50.0},
+    {"law": "impulse", "restitution": 0.4},
+    {"law": "hertz", "friction_axes": "vertical"},
+)
+PLANE: dict[str, Any] = {"type": "wall", "distance": 20.0, "surface": "wall"}
+
+
+def obstacle(name: str, **surface: Any) -> dict[str, Any]:
+    """A built-in shape, by name."""
+    own = {} if name == "net" else {"surface": {"preset": "wall", **surface}}
+    return {"type": name, **ALL[name], **own}
+
+
+def throw(*obstacles: dict[str, Any], **more: Any) -> dict[str, Any]:
+    """A throw, or with a pilot a flight, in a world of these obstacles."""
+    start = {"start": {"position": [-1.0, 0.0, 1.0]}, "thrust": "hover"}
+    return {"vehicle": "arq", "world": {"obstacles": list(obstacles)}, **start, **more}
+
+
+def structures(flights: list[dict[str, Any]]) -> set[str]:
+    """Kinds of these flights; each is flown."""
+    for one in nonempty(flights):
+        assert flight_kinds([one]), f"cannot be flown: {one}"
+    return {kind.key for kind in flight_kinds(flights)}
+
+
+def test_all_worlds_of_shapes_at_rest_are_one_structure() -> None:
+    """Each shape with each other, each with each law, many, and planes beside them."""
+    flights = [throw(obstacle(a), obstacle(b)) for a, b in itertools.combinations(ALL, 2)]
+    flights += [throw(obstacle("pole", **law)) for law in LAWS]
+    flights += [throw(obstacle(name), PLANE) for name in ALL]
+    many = [{**obstacle("pole"), "position": [5.0 + 0.5 * k, 0.0, 0.0]} for k in range(300)]
+    flights += [throw(*many), throw(obstacle("box"), obstacle("pole"), PLANE, PLANE)]
+    assert len(structures(flights)) == 1
+
+
+def test_bristles_are_a_second_one() -> None:
+    """Whatever holds them, a plane included."""
+    held = [obstacle(name, friction_law="bristle") for name in ("pole", "box", "mesh")]
+    flights = [throw(one) for one in held]
+    flights.append(throw({**PLANE, "surface": {"preset": "wall", "friction_law": "bristle"}}))
+    assert len(structures(flights)) == 1
+    assert len(structures([*flights, throw(obstacle("pole"))])) == 2
+
+
+@pytest.mark.parametrize(
+    "vehicle",
+    ["arq", "quad", {"preset": "arq", "hull": False},
+     {"preset": "arq", "hulls": [{"type": "box", "size": [0.1, 0.1, 0.05]}]}],
+)  # fmt: skip
+def test_a_vehicle_has_one_each(vehicle: Any) -> None:
+    """Which arms and which hulls it has counts, not their sizes, nor which hulls."""
+    flights = [throw(obstacle(name), vehicle=vehicle) for name in ("pole", "net", "stairs")]
+    assert len(structures(flights)) == 1
+
+
+def test_hulls_of_any_kind_are_one() -> None:
+    """However many, on whatever part: all of one part are one hull."""
+    kinds: list[list[dict[str, Any]]] = [
+        [{"type": "box", "size": [0.1, 0.1, 0.05]}],
+        [{"type": "sphere", "radius": 0.05}, {"type": "ring", "radius": 0.08}],
+        [{"type": "capsule", "start": [-0.1, 0, 0], "end": [0.1, 0, 0], "radius": 0.01}],
+    ]
+    flights = [
+        throw(obstacle("pole"), vehicle={"preset": "arq", "hulls": hulls}) for hulls in kinds
+    ]
+    assert len(structures(flights)) == 1
+
+
+def test_planes_alone_are_three_and_then_a_scene() -> None:
+    """One, two and three faces; a mat is two."""
+    mat = {"type": "mat", "distance": 20.0, "surface": "mat", "backing": "wall"}
+    planes = [throw(*[PLANE] * count) for count in (1, 2, 3)]
+    assert len(structures(planes)) == 3
+    assert structures([throw(mat, PLANE)]) <= structures(planes)
+    scene = structures([throw(obstacle("pole"))])
+    assert structures([throw(*[PLANE] * 4), throw(mat, mat), throw(*[PLANE] * 9)]) == scene
+
+
+def test_what_is_compiled_ahead_serves_every_scene_of_the_presets() -> None:
+    """With `springback doctor --compile` no scene of built-in shapes has to be compiled again."""
+    ahead = {one.kind.key for one in kinds_of(COMMON)}
+    assert len(ahead) == 2 * len(COMMON)
+    for name in nonempty(ALL):
+        for alone in (True, False):
+            for flown in (
+                throw(obstacle(name)),
+                {
+                    **COMMON["a pilot's flight among shapes"],
+                    "world": {"obstacles": [obstacle(name)]},
+                },
+            ):
+                [kind] = flight_kinds([flown], alone=alone)
+                assert kind.key in ahead
