@@ -59,7 +59,7 @@ class CompiledKind(NamedTuple):
 
 
 def kinds_of(scenarios: Mapping[str, Mapping[str, Any]]) -> list[KindToCompile]:
-    """Kinds of flight of some scenarios, by name: each alone, and in lanes as campaigns fly them."""
+    """Kinds of flight of some scenarios, by name: each alone, and in lanes as in campaigns."""
     found: dict[str, KindToCompile] = {}
     for name, tables in scenarios.items():
         for alone, how in ((True, "alone"), (False, "in campaigns")):
