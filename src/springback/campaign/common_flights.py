@@ -43,7 +43,7 @@ COMMON: dict[str, dict[str, Any]] = {
 }
 
 
-class KindToCompile(NamedTuple):
+class NamedKind(NamedTuple):
     """A kind of flight, and what it is called."""
 
     name: str
@@ -58,34 +58,34 @@ class CompiledKind(NamedTuple):
     """Processor time that it took [s]; 0 if it had been compiled before."""
 
 
-def kinds_of(scenarios: Mapping[str, Mapping[str, Any]]) -> list[KindToCompile]:
+def kinds_of(scenarios: Mapping[str, Mapping[str, Any]]) -> list[NamedKind]:
     """Kinds of flight of some scenarios, by name: each alone, and in lanes as in campaigns."""
-    found: dict[str, KindToCompile] = {}
+    found: dict[str, NamedKind] = {}
     for name, tables in scenarios.items():
         for alone, how in ((True, "alone"), (False, "in campaigns")):
             for kind in flight_kinds([tables], alone=alone):
-                found.setdefault(kind.key, KindToCompile(f"{name}, {how}", kind))
+                found.setdefault(kind.key, NamedKind(f"{name}, {how}", kind))
     return list(found.values())
 
 
-class CompilationPlan(NamedTuple):
+class CompilerPlan(NamedTuple):
     """What is to be compiled, and how long it takes."""
 
-    missing: tuple[KindToCompile, ...]
-    cached: tuple[KindToCompile, ...]
+    missing: tuple[NamedKind, ...]
+    cached: tuple[NamedKind, ...]
     seconds: float
     """Estimate of the processor time [s]."""
 
 
-def compilation_plan(kinds: Sequence[KindToCompile]) -> CompilationPlan:
+def plan_of(kinds: Sequence[NamedKind]) -> CompilerPlan:
     """What of some kinds is not in the cache, as far as the record says."""
     times = [(one, compiler_time(one.kind, {})) for one in kinds]
     missing = tuple(one for one, time in times if not time.cached)
     cached = tuple(one for one, time in times if time.cached)
-    return CompilationPlan(missing, cached, sum(t.seconds for _, t in times if not t.cached))
+    return CompilerPlan(missing, cached, sum(t.seconds for _, t in times if not t.cached))
 
 
-def compile_ahead(plan: CompilationPlan) -> Iterator[CompiledKind]:
+def compile_ahead(plan: CompilerPlan) -> Iterator[CompiledKind]:
     """Compile what is missing, side by side on all processors; each kind is yielded when done."""
     if not plan.missing:
         return

@@ -98,7 +98,7 @@ def _turning_beside(omega: Vec, moving: FaceMotion) -> Vec:
     return omega - moving.spin
 
 
-class Approach(NamedTuple):
+class ContactMotion(NamedTuple):
     """Motion of a part relative to a face; vectors in body axes."""
 
     sliding: Vec  # of the end of the arm, without that of rotation [m/s]
@@ -107,7 +107,7 @@ class Approach(NamedTuple):
 
 
 @kernel
-def approach_of(face: ContactFace, arm: ArmPose, body: BodyMotion) -> Approach:
+def motion_beside(face: ContactFace, arm: ArmPose, body: BodyMotion) -> ContactMotion:
     """Motion of a part relative to a face that it meets."""
     end = arm.lever
     sliding = fold(_beside, arm.sliding, face.moving, ())
@@ -116,10 +116,10 @@ def approach_of(face: ContactFace, arm: ArmPose, body: BodyMotion) -> Approach:
     pressing, saddle = end + at.normal_lever, end + saddle_lever
     rate = steepness * ((sliding + (omega ^ pressing)) @ n)
     rate -= (sliding + (omega ^ saddle)) @ at_saddle
-    return Approach(sliding, omega, rate)
+    return ContactMotion(sliding, omega, rate)
 
 
-class FaceLoad(NamedTuple):
+class LoadOfFace(NamedTuple):
     """Load of one contact, and what its friction does."""
 
     touch: ContactLoad
@@ -130,12 +130,12 @@ class FaceLoad(NamedTuple):
 @kernel
 def face_load(
     face: ContactFace,
-    relative: Approach,
+    relative: ContactMotion,
     engaged: float,
     bristles: tuple[Bristles, ...],
     arm: ArmPose,
     body: BodyMotion,
-) -> FaceLoad:
+) -> LoadOfFace:
     """Load of the contact with a face; arguments as for `face_contact`."""
     surface, end = face.surface, arm.lever
     sliding, omega, rate = relative
@@ -171,14 +171,14 @@ def face_load(
         grip,
         press,
     )
-    return FaceLoad(
+    return LoadOfFace(
         touch, rubbed.per_speed, tree_map(bristle_rate, (bristles,), (at_contact, face.moving))
     )
 
 
 @kernel
 def contact_under(
-    face: ContactFace, relative: Approach, load: FaceLoad, arm: ArmPose
+    face: ContactFace, relative: ContactMotion, load: LoadOfFace, arm: ArmPose
 ) -> CageContact:
     """Contact of a part with a face, by its load."""
     at, surface = face.nearest.at, face.surface
@@ -211,7 +211,7 @@ def face_contact(
         arm: Pose of the arm.
         body: Motion of the main body.
     """
-    relative = approach_of(face, arm, body)
+    relative = motion_beside(face, arm, body)
     load = face_load(face, relative, engaged, bristles, arm, body)
     return contact_under(face, relative, load, arm)
 

@@ -10,14 +10,14 @@ from springback.contact.cage import LANDED, BodyMotion, ContactFace
 from springback.contact.laws.bristles import BristleRate
 from springback.contact.laws.step_bounds import ContactStiffness, FrictionDamping
 from springback.contact.loads import (
-    Approach,
     CageContact,
     ContactLoad,
-    FaceLoad,
-    approach_of,
+    ContactMotion,
+    LoadOfFace,
     contact_under,
     contacts_with,
     face_load,
+    motion_beside,
 )
 from springback.contact.scene.faces import SceneInBodyFrame
 from springback.kernels.compiler import called_kernel, kernel
@@ -33,25 +33,25 @@ def _none_held(bristles: Bristles) -> BristleRate:
 
 
 @kernel
-def _no_load(face: ContactFace, bristles: tuple[Bristles, ...]) -> FaceLoad:
+def _no_load(face: ContactFace, bristles: tuple[Bristles, ...]) -> LoadOfFace:
     """Load of a face that is not touched."""
     none = Vec(0.0, 0.0, 0.0)
     grip = FrictionDamping(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     press = ContactStiffness(0.0, 0.0, 0.0, 0.0)
     grounded = face.is_ground if face.nearest.gap < 0.0 else 0.0
     touch = ContactLoad(none, none, 0.0, none, 0.0, 0.0, grounded, grip, press)
-    return FaceLoad(touch, 0.0, tree_map(_none_held, (bristles,), ()))
+    return LoadOfFace(touch, 0.0, tree_map(_none_held, (bristles,), ()))
 
 
 @called_kernel
 def _load(
     face: ContactFace,
-    relative: Approach,
+    relative: ContactMotion,
     engaged: float,
     bristles: tuple[Bristles, ...],
     arm: ArmPose,
     body: BodyMotion,
-) -> FaceLoad:
+) -> LoadOfFace:
     return face_load(face, relative, engaged, bristles, arm, body)
 
 
@@ -64,7 +64,7 @@ def sparse_contact(
     body: BodyMotion,
 ) -> CageContact:
     """Contact of a part with a face, as `springback.contact.loads.face_contact`."""
-    relative = approach_of(face, arm, body)
+    relative = motion_beside(face, arm, body)
     load = _no_load(face, bristles)
     if (face.nearest.gap <= LANDED) & (engaged > 0.0):
         load = _load(face, relative, engaged, bristles, arm, body)

@@ -88,15 +88,15 @@ def _compile(scenarios: tuple[Path, ...], terminal: Terminal) -> None:
     """Compile the kernels of some scenarios, or of the common kinds of flight."""
     from springback.campaign.common_flights import (
         COMMON,
-        compilation_plan,
         compile_ahead,
         kinds_of,
+        plan_of,
     )
     from springback.kernels.compiler import cache_folder
     from springback.results.flight import as_scenario
 
     named = {str(file): as_scenario(file).model_dump(exclude_unset=True) for file in scenarios}
-    plan = compilation_plan(kinds_of(named or COMMON))
+    plan = plan_of(kinds_of(named or COMMON))
     times = {one.name: 0.0 for one in plan.cached}
     many = f"{len(plan.missing)} of {len(plan.missing) + len(plan.cached)} kinds of flight"
     terminal.note(f"compiling {many}, some {plan.seconds:.0f} s of processor time")
