@@ -26,6 +26,7 @@ from springback.contact.cage import (
 from springback.contact.loads import CageContact, contacts_with
 from springback.contact.moving.bodies import ABSENT, BodyPose, MovingBody, body_pose
 from springback.contact.obstacles import Obstacle, obstacle_in_body_frame
+from springback.contact.scene.contacts import contacts_in_scene
 from springback.contact.scene.faces import (
     EXACT_BELOW,
     SceneInBodyFrame,
@@ -37,7 +38,6 @@ from springback.contact.scene.faces import (
     part_of,
     scene_faces,
 )
-from springback.contact.scene.sparse_contacts import contacts_in_scene
 from springback.kernels.compiler import kernel
 from springback.kernels.routines import Routine, call_routine
 from springback.kernels.trees import fold, minimum, tree_map

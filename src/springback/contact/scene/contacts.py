@@ -56,7 +56,7 @@ def _load(
 
 
 @kernel
-def sparse_contact(
+def scene_contact(
     face: ContactFace,
     engaged: float,
     bristles: tuple[Bristles, ...],
@@ -82,4 +82,4 @@ def contacts_in_scene(
     body: BodyMotion,
 ) -> tuple[CageContact, ...]:
     """Contact of a part with each face of a scene, or of the user's own shapes beside it."""
-    return tree_map(sparse_contact, (faces, engaged), (bristles, arm, body))
+    return tree_map(scene_contact, (faces, engaged), (bristles, arm, body))
