@@ -60,6 +60,8 @@ FLIGHT = (
 
 #: Of moving obstacles, some milliseconds in plain Python.
 MOVING = ("dynamics/test_moving_states.py", "")
+#: How often a scene is looked at.
+LOOKS = ("dynamics/test_clearance.py", "looked_at")
 #: Crossings and end stops, rule by rule.
 CROSSINGS = ("dynamics/test_crossings.py", "")
 
@@ -75,6 +77,7 @@ class Mutation(NamedTuple):
 
 
 CAGE, SURFACES, MOTION = "contact/cage.py", "contact/surfaces.py", "dynamics/motion.py"
+LOADS = "contact/loads.py"
 BRISTLES = "contact/laws/bristles.py"
 STATE, ENERGY, VECTORS = "vehicle/state.py", "dynamics/energy.py", "kernels/vectors.py"
 OBSTACLES, STOPS, SOLUTION = "contact/obstacles.py", "dynamics/stops.py", "dynamics/solution.py"
@@ -116,25 +119,25 @@ MUTATIONS = (
     Mutation("contact loss, sign", SURFACES, "(force - elastic) * rate", "(elastic - force) * rate"),
     Mutation("contact force may pull", SURFACES, "positive_part(elastic + (d", "(elastic + (d"),
     Mutation("contact exponent 3/2 to 2", SURFACES, "depth * math.sqrt(depth)", "depth * depth"),
-    Mutation("normal force pulls in", CAGE, "n * (-f_n)", "n * f_n"),
+    Mutation("normal force pulls in", LOADS, "n * (-f_n)", "n * f_n"),
     Mutation("normal points out", CAGE, "n = -outward_normal(", "n = outward_normal("),
     Mutation("plane seen, offset", OBSTACLES, "plane.offset - plane.normal", "plane.offset + plane.normal"),
     Mutation("plane seen, turned the wrong way", OBSTACLES, "Plane(plane.normal @ r,", "Plane(r @ plane.normal,"),
-    Mutation("penetration rate, sign", CAGE, "(omega ^ pressing)) @ n", "(omega ^ pressing)) @ (-n)"),
-    Mutation("penetration rate, no turning", CAGE, "(sliding + (omega ^ pressing)) @ n", "sliding @ n"),
+    Mutation("penetration rate, sign", LOADS, "(omega ^ pressing)) @ n", "(omega ^ pressing)) @ (-n)"),
+    Mutation("penetration rate, no turning", LOADS, "(sliding + (omega ^ pressing)) @ n", "sliding @ n"),
     Mutation("friction drives the slip", SURFACES, "Friction(slip * -grip", "Friction(slip * grip"),
     Mutation("friction loss, sign", SURFACES, "grip * square, grip, per_speed", "-grip * square, grip, per_speed"),
-    Mutation("slip without turning", CAGE, "sliding + (omega ^ rubbing_at), n", "sliding, n"),
+    Mutation("slip without turning", LOADS, "sliding + (omega ^ rubbing_at), n", "sliding, n"),
     Mutation("slip keeps its normal part", SURFACES, "velocity - (velocity @ normal) * normal", "velocity * 1.0"),
     Mutation("bristles pull along", BRISTLES, "BristleLoad(u * -share", "BristleLoad(u * share", REST),
     Mutation("bristles unbounded", BRISTLES, "share = 1.0 / larger(size, 1.0)", "share = 1.0", REST),
     Mutation("bristles creep", BRISTLES, "ELASTIC_SHARE = 0.7", "ELASTIC_SHARE = 0.0", REST),
     Mutation("bristles do not let go", BRISTLES, "slides * speed * per_most", "0.0 * speed * per_most", REST),
     Mutation("vertical friction, tilt", SURFACES, "vertical - (vertical @ normal) * normal", "vertical * 1.0"),
-    Mutation("contact moment, sign", CAGE, "moment = (rubbing_at ^ force)", "moment = (force ^ rubbing_at)"),
+    Mutation("contact moment, sign", LOADS, "moment = (rubbing_at ^ force)", "moment = (force ^ rubbing_at)"),
     Mutation(
         "normal moment about the friction point, sign",
-        CAGE,
+        LOADS,
         "((at.normal_lever - at.friction_lever) ^ push)",
         "(push ^ (at.normal_lever - at.friction_lever))",
     ),
@@ -223,9 +226,9 @@ MUTATIONS = (
     Mutation("hulls, in parallel", SERIES_LAW, "k = 1.0 / power(AnyExponent(n), both)", "k = k + law.compliance ** (-n)", SERIES),
     Mutation("hulls, dampers share alike", SERIES_LAW, "d = here * here * d + there * there * law.dissipation", "d = here * d + there * law.dissipation", SERIES),
     # contact on or off
-    Mutation("contact on within a step", CAGE, "touches & (engaged > 0.0)", "touches", FLIGHT),
-    Mutation("contact never on", CAGE, "touches & (engaged > 0.0)", "touches & (engaged > 2.0)", QUICK),
-    Mutation("law not felt at the touch", CAGE, "(gap < -AT_TOUCH) | ((gap <= LANDED) & (rate > 0.0))", "gap < -AT_TOUCH", FLIGHT),
+    Mutation("contact on within a step", LOADS, "touches & (engaged > 0.0)", "touches", FLIGHT),
+    Mutation("contact never on", LOADS, "touches & (engaged > 0.0)", "touches & (engaged > 2.0)", QUICK),
+    Mutation("law not felt at the touch", LOADS, "(gap < -AT_TOUCH) | ((gap <= LANDED) & (rate > 0.0))", "gap < -AT_TOUCH", FLIGHT),
     Mutation("crossing, sign of the rate", CROSSING, "value * rate < 0.0", "value * rate > 0.0", CROSSINGS),
     Mutation("crossing, the later one", CROSSING, "a.distance * b.speed < b.distance", "a.distance * b.speed > b.distance", RULES),
     Mutation("crossing, speed over distance", CROSSING, "c.distance / c.speed", "c.speed / c.distance", RULES),
@@ -276,10 +279,10 @@ MUTATIONS = (
     Mutation("ring, slope of the other sign", RING, "n.y * towards.x - n.x * towards.y", "n.x * towards.y - n.y * towards.x", RINGS),
     Mutation("ring, search away from the minimum", RING, "if slope < 0.0:", "if slope > 0.0:", RINGS),
     Mutation("ring, second point is the first", CAGE, "at_second_point(radius, found)", "at_low_point(radius, found.first)", RINGS),
-    Mutation("ring, edge counts in full", CAGE, "rate = steepness * (", "rate = 1.0 * (", RINGS),
-    Mutation("ring, force of an edge in full", CAGE, "f_n = pressed.force * steepness", "f_n = pressed.force", RINGS),
-    Mutation("ring, saddle's rate, sign", CAGE, "rate -= (sliding", "rate += (sliding", RINGS),
-    Mutation("ring, saddle without reaction", CAGE, "back = at_saddle * pressed.force", "back = at_saddle * 0.0", RINGS),
+    Mutation("ring, edge counts in full", LOADS, "rate = steepness * (", "rate = 1.0 * (", RINGS),
+    Mutation("ring, force of an edge in full", LOADS, "f_n = pressed.force * steepness", "f_n = pressed.force", RINGS),
+    Mutation("ring, saddle's rate, sign", LOADS, "rate -= (sliding", "rate += (sliding", RINGS),
+    Mutation("ring, saddle without reaction", LOADS, "back = at_saddle * pressed.force", "back = at_saddle * 0.0", RINGS),
     Mutation("ring, second as deep as it is", CAGE, "face.gap - saddle.gap", "face.gap", RINGS),
     Mutation("ring, the higher way", RING, "one if one.gap < other.gap else other", "other if one.gap < other.gap else one", RINGS),
     Mutation("ring, normals of an edge changed over", RING, "before * n_low + after * n_high", "after * n_low + before * n_high", RINGS),
@@ -307,18 +310,21 @@ MUTATIONS = (
     Mutation("mover, reaction's moment, sign", MOVERS, "-(at.r @ reaction.moment)", "at.r @ reaction.moment", MOVING),
     Mutation("mover, reaction without lever", MOVERS, "((at.position - pose.position) ^ force)", "(0.0 * at.position ^ force)", MOVING),
     Mutation("mover, driven work, sign", MOVERS, "given = reaction.force @ motion.velocity", "given = -reaction.force @ motion.velocity", MOVING),
-    Mutation("mover, surface at rest", CAGE, "return velocity - moving.velocity", "return velocity - 0.0 * moving.velocity", MOVING),
-    Mutation("mover, surface does not turn", CAGE, "return omega - moving.spin", "return omega - 0.0 * moving.spin", MOVING),
+    Mutation("mover, surface at rest", LOADS, "return velocity - moving.velocity", "return velocity - 0.0 * moving.velocity", MOVING),
+    Mutation("mover, surface does not turn", LOADS, "return omega - moving.spin", "return omega - 0.0 * moving.spin", MOVING),
     # impulses
     Mutation("impulse, pulls", IMPULSES, "impulse = n * part[k] + rub[k]", "impulse = -n * part[k] + rub[k]", IMPULSE),
     Mutation("impulse, friction drives", IMPULSES, "t * -(stopping if", "t * (stopping if", IMPULSE),
-    Mutation("impulse, turns the other way", IMPULSES, "dw + r @ solve", "dw - r @ solve", IMPULSE),
+    Mutation("impulse, turns the other way", IMPULSES, "(1.0 / mass), turn)", "(1.0 / mass), -turn)", IMPULSE),
     Mutation("impulse, gives e of the work back", IMPULSES, "e * e * taken[k]", "e * taken[k]", IMPULSE),
     Mutation("impulse, friction unbounded", IMPULSES, "stopping if stopping < limit else limit", "stopping", IMPULSE),
     Mutation("impulse, its loss unbooked", IMPULSES, "work.contact + lost - rubbed_off", "work.contact", IMPULSE),
     Mutation("impulse, friction's share, sign", IMPULSES, "rubbed_off -= share", "rubbed_off += share", IMPULSE),
     Mutation("impulse, rests never", IMPULSES, "rebound[k] = hit.surface.restitution if closing > RESTING else 0.0\n                tolerated", "rebound[k] = hit.surface.restitution\n                tolerated", IMPULSE),
     Mutation("impulse, is not put back", IMPULSES, "state.position + sunk,", "state.position,", IMPULSE),
+    # scenes, looked at as seldom as is safe
+    Mutation("scene, room is not used up", CLEARANCE, "left = room - HASTE", "left = room - 0.0", LOOKS),
+    Mutation("scene, half the steps ahead", CLEARANCE, "ROOMY_STEPS = 8.0", "ROOMY_STEPS = 4.0", LOOKS),
     # imported worlds
     Mutation("imported pose, order", WORLD_POSES, "self.turn @ inner.turn", "inner.turn @ self.turn", BY_SCIPY),
     Mutation("imported pose, inverse", WORLD_POSES, "-self.turn.T @ self.place", "self.turn.T @ self.place", BY_SCIPY),

@@ -46,7 +46,7 @@ def scene() -> tuple[Model, Motion, View, Record]:
     )
     model = flight_model(scenario)
     motion = Motion(scenario.start_state(), still_work())
-    view = rates_of(model, motion.state, FREE_FLIGHT).seen
+    view = rates_of(model, motion.state, FREE_FLIGHT, 1.0).seen
     return model, motion, view, blank_record(4, 1, 1)
 
 
@@ -350,9 +350,11 @@ def test_a_view_sums_the_normals_of_what_touches() -> None:
     on_its_belly = state._replace(position=Vec(0.0, 0.0, 0.0599))
     on_a_cage = state._replace(attitude=Quat(0.8, 0.0, 0.6, 0.0), position=Vec(0.0, 0.0, 0.1))
     for placed in (on_its_belly, on_a_cage):
-        seen = rates_of(model, placed, FREE_FLIGHT).seen
+        seen = rates_of(model, placed, FREE_FLIGHT, 1.0).seen
         touching = [part.engaged[0] for part in (*seen.arms, *seen.hull)]
         assert sum(touching) > 0.0
         assert seen.touched == pytest.approx((0.0, 0.0, -sum(touching)), abs=1e-12)
-    assert [h.engaged for h in rates_of(model, on_its_belly, FREE_FLIGHT).seen.hull] == [(1.0,)]
-    assert rates_of(model, state, FREE_FLIGHT).seen.touched == pytest.approx((0.0, 0.0, 0.0))
+    assert [h.engaged for h in rates_of(model, on_its_belly, FREE_FLIGHT, 1.0).seen.hull] == [
+        (1.0,)
+    ]
+    assert rates_of(model, state, FREE_FLIGHT, 1.0).seen.touched == pytest.approx((0.0, 0.0, 0.0))
