@@ -26,6 +26,10 @@ class CommandWarning(FlightWarning):
     """A pilot commands negative thrust of a rotor, which then gives its minimum."""
 
 
+class PenetrationWarning(FlightWarning):
+    """A contact came as deep as the middle of a mesh or grid, where the other side is as near."""
+
+
 class InputError(ValueError):
     """Invalid input.  Each problem is one line that says how to correct it."""
 

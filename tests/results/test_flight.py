@@ -6,6 +6,7 @@ import ast
 import inspect
 import sys
 import types
+import warnings
 from dataclasses import replace
 from pathlib import Path
 from subprocess import run
@@ -15,10 +16,11 @@ import numpy as np
 import pytest
 
 import springback
+from builders.forms import box_file
 from builders.impacts import flown, towards_wall, value
 from springback.dynamics.clearance import clearance
 from springback.dynamics.motion import rates
-from springback.errors import InputError
+from springback.errors import PenetrationWarning, InputError
 from springback.interfaces.replay import viewer
 from springback.kernels.vectors import Quat, Vec
 from springback.results import measures
@@ -326,3 +328,21 @@ def test_without_a_trajectory_it_is_said() -> None:
     for asked in (short.plot, short.gap, short.specific_force, short.view, lambda: short.events):
         with pytest.raises(InputError, match="this flight has no trajectory"):
             asked()
+
+
+@pytest.mark.parametrize(("thick", "pierced"), [(0.01, True), (0.2, False)])
+def test_a_plate_of_a_mesh_that_is_pierced_is_told(thick: float, pierced: bool) -> None:
+    """Deeper than its middle a contact is nearer to the other side."""
+    plate = {"type": "mesh", "file": box_file(thick, 1.0, 1.0), "surface": "wall",
+             "position": [2.75 + 0.5 * thick, 0.0, 1.0], "cell": thick / 5.0}  # fmt: skip
+    tables = {
+        "vehicle": "arq", "thrust": "hover", "world": {"obstacles": [plate]},
+        "start": {"position": [2.4, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0]},
+        "simulation": {"duration": 0.15},
+    }  # fmt: skip
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        fly(tables)
+    told = [str(one.message) for one in caught if one.category is PenetrationWarning]
+    assert bool(told) == pierced
+    assert not told or "the middle of world.obstacles[0], a mesh, is some 4 mm" in told[0]

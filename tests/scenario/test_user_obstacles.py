@@ -16,7 +16,7 @@ from springback.contact.obstacles import outward_normal, signed_distance
 from springback.errors import InputError
 from springback.kernels.compiler import kernel
 from springback.kernels.vectors import Vec, norm
-from springback.scenario.user.obstacles import check_own_obstacles
+from springback.scenario.user.obstacles import check_own_obstacles, check_shape_from
 
 START = Vec(2.2, 0.0, 1.0)
 SCENARIO = {
@@ -72,6 +72,26 @@ def egg_normal(egg: Egg, point: Vec) -> Vec:
     return g * (1.0 / math.sqrt(g @ g))
 
 
+class Blown(NamedTuple):
+    """A ball of 0.3 m whose distance is a multiple of the true one."""
+
+    centre: Vec
+    stretch: float
+
+
+@signed_distance.register(Blown)  # type: ignore[attr-defined]
+@kernel
+def blown_distance(ball: Blown, point: Vec) -> float:
+    return ball.stretch * (norm(point - ball.centre) - 0.3)
+
+
+@outward_normal.register(Blown)  # type: ignore[attr-defined]
+@kernel
+def blown_normal(ball: Blown, point: Vec) -> Vec:
+    d = point - ball.centre
+    return d * (1.0 / norm(d))
+
+
 RIGHT = Face(1.0, 1.0, 0.0)
 #: Spoilt, and words of what is said.
 WRONG: dict[str, tuple[Any, tuple[str, ...]]] = {
@@ -97,6 +117,14 @@ def test_what_is_wrong_is_refused(shape: Any, words: tuple[str, ...]) -> None:
     assert said.startswith("own obstacle 2, Face: ")
     for word in words:
         assert word in said
+
+
+def test_a_distance_over_whose_surface_rays_jump_is_too_steep() -> None:
+    """Eight times the true one: a stride goes beyond the ball, and no ray meets it."""
+    start = Vec(0.0, 0.0, 0.0)
+    with pytest.raises(InputError, match=r"signed_distance at .* changes by .* on a way of"):
+        check_shape_from(start, Blown(Vec(1.0, 0.1, 0.0), 8.0), "shape")
+    check_shape_from(start, Blown(Vec(1.0, 0.1, 0.0), 1.0), "shape")
 
 
 place = st.builds(Vec, st.floats(-5.0, 5.0), st.floats(-5.0, 5.0), st.floats(-5.0, 5.0))

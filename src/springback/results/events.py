@@ -106,6 +106,13 @@ def events_of(flight: FlightResult) -> tuple[Event, ...]:
     return tuple(sorted(found, key=lambda event: event.t))
 
 
+def _beside_movers(flight: FlightResult) -> bool:
+    """True if obstacles move, or there is a second vehicle."""
+    scenario = flight.scenario
+    moving = any(getattr(one, "motion", None) is not None for one in scenario.world.obstacles)
+    return moving or scenario.second is not None
+
+
 def _contacts(flight: FlightResult) -> list[Event]:
     c = flight.columns
     felt = contact_mask(flight.columns)
@@ -114,7 +121,10 @@ def _contacts(flight: FlightResult) -> list[Event]:
     for number, (begin, end) in enumerate(impacts[:MOST], start=1):
         which = "" if len(impacts) == 1 else f" {number}"
         speed = float(np.sqrt(sum(np.interp(begin, c["t"], c[f"v{a}"]) ** 2 for a in "xyz")))
-        sentence = f"first touch, at {speed:.2f} m/s"
+        sentence = f"{'first touch' if number == 1 else 'touches again'}, at {speed:.2f} m/s"
+        if number == 1 and _beside_movers(flight) and flight.touch_speed is not None:
+            speed = flight.touch_speed
+            sentence = f"first touch, at {speed:.2f} m/s along the normal, relative to it"
         found.append(Event(begin, "touch", f"touch{which}", sentence, value=speed))
         if end < c["t"][-1] or not felt[-1]:
             sentence = f"separates after {1e3 * (end - begin):.1f} ms"

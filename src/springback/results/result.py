@@ -8,12 +8,20 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from springback.contact.grids.measured_shapes import GridShape
 from springback.contact.worlds import Own
-from springback.errors import CommandWarning, FlightWarning, InputError, LedgerWarning
+from springback.errors import (
+    CommandWarning,
+    PenetrationWarning,
+    FlightWarning,
+    InputError,
+    LedgerWarning,
+)
 from springback.results.measures import FlightMeasures
 from springback.results.meshes import Mesh, surfaces_of
 from springback.results.recovery_measures import RECOVERY_MEASURES
 from springback.scenario.scenario import Scenario
+from springback.scenario.worlds.imported import single_obstacles
 from springback.simulation.measures import FAILURES, MEASURES, Outcome
 
 if TYPE_CHECKING:
@@ -23,6 +31,8 @@ if TYPE_CHECKING:
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
+#: Share of the depth of the middle from which a contact is taken as pierced (chosen).
+PIERCED = 0.9
 #: Measures that are printed, those of a recovery last.
 _PRINCIPAL = (
     "touch_speed", "restitution_at_separation", "impact_peak_acceleration", "contact_time",
@@ -123,6 +133,8 @@ class FlightResult(FlightMeasures):
                 f"the energy ledger leaves {share} of the energy: the "
                 "numbers cannot be trusted; try smaller steps (simulation.impact_step)"
             )
+        if (thin := self._pierced()) is not None:
+            found[PenetrationWarning] = thin
         commands = [values for name, values in self.telemetry.items() if name.startswith("command")]
         lowest = np.min(commands, axis=0, initial=0.0)
         below = np.flatnonzero(lowest < 0.0)
@@ -134,6 +146,20 @@ class FlightResult(FlightMeasures):
                 f"not turn backwards and give their minimum, {propulsion.min_thrust:g} N"
             )
         return found
+
+    def _pierced(self) -> str | None:
+        """Warning about a mesh or grid that is thinner than twice the penetration."""
+        depth = self.measures.get("penetration") or 0.0
+        for k, entry in enumerate(self.scenario.world.obstacles):
+            for one in single_obstacles([entry]):
+                if isinstance(one, GridShape) and depth > PIERCED * (middle := one.form().deepest):
+                    return (
+                        f"a contact came {1e3 * depth:.3g} mm deep, and the middle of "
+                        f"world.obstacles[{k}], a {one.type}, is some {1e3 * middle:.3g} mm below its "
+                        "surface: beyond that it is pushed out on the other side; make it thicker "
+                        "or stiffer, or use a box"
+                    )
+        return None
 
     @property
     def message(self) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Iterator
 from typing import Any
 
@@ -75,7 +76,8 @@ def _nearest(shape: Any, start: Vec) -> Vec | None:
             (_distance(shape, point + axis) - _distance(shape, point - axis)) / (2.0 * STEP)
             for axis in (Vec(STEP, 0.0, 0.0), Vec(0.0, STEP, 0.0), Vec(0.0, 0.0, STEP))
         ]
-        point = point - gap * Vec(*slope)
+        steepness = max(math.hypot(*slope), 1e-3)  # of a distance it is 1
+        point = point - (gap / steepness**2) * Vec(*slope)
     return None
 
 
@@ -85,7 +87,7 @@ def _distance(shape: Any, point: Vec) -> float:
     except Exception as error:
         what = " ".join(f"{type(error).__name__}: {error}".split())
         raise InputError(f"shape: signed_distance at {_text(point)} m raises {what}") from error
-    if not isinstance(value, float) or not abs(value) < 1e12:
+    if not isinstance(value, float) or not math.isfinite(value):
         raise InputError(f"shape: signed_distance at {_text(point)} m is {value!r}, not finite")
     return value
 

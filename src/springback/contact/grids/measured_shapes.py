@@ -103,12 +103,14 @@ class GridForm(NamedTuple):
     nodes: int
     error: float  # root of the mean square at the surface; NaN if unknown [m]
     largest: float  # the same, largest [m]
+    deepest: float  # distance of its innermost node from the surface [m]
 
 
 def _grid_form(grid: DistanceGrid) -> GridForm:
     x, y, z = grid.half.tolist()
     rms, largest = grid.error.tolist()
-    return GridForm(grid.centre, (x, y, z), grid.table(), grid.cell, grid.values.size, rms, largest)
+    nodes, deepest = grid.values.size, -float(grid.values.min())
+    return GridForm(grid.centre, (x, y, z), grid.table(), grid.cell, nodes, rms, largest, deepest)
 
 
 class GridShape(FormShape):

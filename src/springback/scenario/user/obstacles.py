@@ -30,6 +30,9 @@ UNIT = 1e-6
 GRADIENT = 0.01
 #: Tolerated relative excess of the distance at points on the way (chosen).
 SHARE = 0.05
+#: Change of a distance on a way, over its length, from which a ray may have jumped over the surface
+#: (chosen: that of an implicit function over the length of its gradient may exceed 1).
+STEEP = 3.0
 #: Maximum number of steps along a ray, and of the bisection that ends it.
 STEPS, HALVINGS = 150, 50
 
@@ -156,17 +159,31 @@ class _Sampled:
         """Intersection of a ray with the surface, at some distance from the start [m]."""
         side = self.distance(start) >= 0.0
         low, passed = 0.0, list[Vec]()
+        steep: tuple[Vec, str] | None = None
         for _ in range(STEPS):
             point = start + direction * low
             passed.append(point)
             stride = max(0.25 * abs(self.distance(point)), 2e-3 * first, 1e-6)
             high = low + stride
-            if (self.distance(start + direction * high) >= 0.0) != side:
+            ahead = self.distance(start + direction * high)
+            if (ahead >= 0.0) != side:
                 break
-            if high > 50.0 * (first + 1.0):
-                return None
+            change = abs(ahead - self.distance(point))
+            if change > STEEP * stride + STEP and steep is None:
+                steep = (
+                    point,
+                    (
+                        f"what changes by {change:.4g} m on a way of {stride:.4g} m; a distance changes by "
+                        "no more than the way: divide a function that is zero on the surface by the "
+                        "length of its gradient"
+                    ),
+                )
             low = high
-        else:
+            if high > 50.0 * (first + 1.0):
+                break
+        if low == high:  # it may have missed a surface
+            if steep is not None:
+                self.refuse("signed_distance", *steep)
             return None
         for _ in range(HALVINGS):
             middle = 0.5 * (low + high)
