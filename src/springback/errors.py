@@ -26,7 +26,7 @@ class CommandWarning(FlightWarning):
     """A pilot commands negative thrust of a rotor, which then gives its minimum."""
 
 
-class PenetrationWarning(FlightWarning):
+class ContactWarning(FlightWarning):
     """A contact came as deep as the middle of a mesh or grid, where the other side is as near."""
 
 

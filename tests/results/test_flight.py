@@ -20,7 +20,7 @@ from builders.forms import box_file
 from builders.impacts import flown, towards_wall, value
 from springback.dynamics.clearance import clearance
 from springback.dynamics.motion import rates
-from springback.errors import PenetrationWarning, InputError
+from springback.errors import ContactWarning, InputError
 from springback.interfaces.replay import viewer
 from springback.kernels.vectors import Quat, Vec
 from springback.results import measures
@@ -343,6 +343,6 @@ def test_a_plate_of_a_mesh_that_is_pierced_is_told(thick: float, pierced: bool) 
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         fly(tables)
-    told = [str(one.message) for one in caught if one.category is PenetrationWarning]
+    told = [str(one.message) for one in caught if one.category is ContactWarning]
     assert bool(told) == pierced
     assert not told or "the middle of world.obstacles[0], a mesh, is some 4 mm" in told[0]

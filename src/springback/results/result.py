@@ -12,7 +12,7 @@ from springback.contact.grids.measured_shapes import GridShape
 from springback.contact.worlds import Own
 from springback.errors import (
     CommandWarning,
-    PenetrationWarning,
+    ContactWarning,
     FlightWarning,
     InputError,
     LedgerWarning,
@@ -134,7 +134,7 @@ class FlightResult(FlightMeasures):
                 "numbers cannot be trusted; try smaller steps (simulation.impact_step)"
             )
         if (thin := self._pierced()) is not None:
-            found[PenetrationWarning] = thin
+            found[ContactWarning] = thin
         commands = [values for name, values in self.telemetry.items() if name.startswith("command")]
         lowest = np.min(commands, axis=0, initial=0.0)
         below = np.flatnonzero(lowest < 0.0)
@@ -155,9 +155,9 @@ class FlightResult(FlightMeasures):
                 if isinstance(one, GridShape) and depth > PIERCED * (middle := one.form().deepest):
                     return (
                         f"a contact came {1e3 * depth:.3g} mm deep, and the middle of "
-                        f"world.obstacles[{k}], a {one.type}, is some {1e3 * middle:.3g} mm below its "
-                        "surface: beyond that it is pushed out on the other side; make it thicker "
-                        "or stiffer, or use a box"
+                        f"world.obstacles[{k}], a {one.type}, is some {1e3 * middle:.3g} mm below "
+                        "its surface: beyond that it is pushed out on the other side; make it "
+                        "thicker or stiffer, or use a box"
                     )
         return None
 
