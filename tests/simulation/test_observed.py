@@ -27,7 +27,6 @@ from springback.simulation.record import (
     Record,
     View,
     blank_record,
-    record_after,
 )
 
 #: Nothing is nearer [m].
@@ -48,6 +47,14 @@ def scene() -> tuple[Model, Motion, View, Record]:
     motion = Motion(scenario.start_state(), still_work())
     view = rates_of(model, motion.state, FREE_FLIGHT, 1.0).seen
     return model, motion, view, blank_record(4, 1, 1)
+
+
+def record_after(model: Model, motion: Motion, view: View, m: Record) -> Record:
+    """The record after an instant at which faces were looked for."""
+    after: Record = rules.record_after(
+        model, motion, view, m, rules.search_of(model, motion.state, m)
+    )
+    return after
 
 
 def armed(view: View, j: int, **changes: Any) -> View:

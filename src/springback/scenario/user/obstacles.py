@@ -172,7 +172,7 @@ class _Sampled:
             if change > STEEP * stride + STEP and steep is None:
                 steep = (
                     point,
-                    f"what changes by {change:.4g} m on a way of {stride:.4g} m; a distance changes "
+                    f"what changes by {change:.4g} m on a way of {stride:.4g} m; distances change "
                     "by no more than the way: divide a function that is zero on the surface by "
                     "the length of its gradient",
                 )
