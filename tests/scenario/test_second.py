@@ -116,7 +116,11 @@ WRONG: dict[str, tuple[dict[str, Any], str]] = {
         r"^second\.surface\.law: must not be impulse",
     ),
     "a start in each other": (
-        two(vehicle(0.3, -1.0)), r"^second\.start\.position: puts its cages 0\.\d+ m inside",
+        two(vehicle(0.3, -1.0)), r"^second\.start\.position: puts a part of it 0\.\d+ m inside",
+    ),
+    "a main body in a cage": (
+        two(vehicle(0.0, -1.0, z=-0.16, pitch="90 deg")),
+        r"^second\.start\.position: puts a part of it 0\.\d+ m inside",
     ),
     "a start in the world": (
         two(vehicle(0.6, -1.0, z=0.01), world={"obstacles": [{"type": "ground", "surface": "wall"}]},

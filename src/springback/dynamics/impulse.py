@@ -226,9 +226,9 @@ def apply_impulses(
                 speed = math.sqrt(slip @ slip)
                 if speed > 0.0:
                     t = slip * (1.0 / speed)
-                    stopping = speed / (mobility(guide, m, inertia, r, rho, t) * active)
+                    yields = mobility(guide, m, inertia, r, rho, t) * active
                     limit = hit.surface.friction * part[k]
-                    rub[k] = t * -(stopping if stopping < limit else limit)
+                    rub[k] = t * -(limit if speed > limit * yields else speed / yields)
                 impulse = n * part[k] + rub[k]
                 jump = jump_of_motion(guide, m, inertia, r, rho, impulse)
                 dv, dw = dv + jump.linear, dw + jump.angular

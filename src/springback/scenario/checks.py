@@ -343,7 +343,7 @@ def check_second(first: ScenarioTables, second: ScenarioTables) -> None:
 
 
 def check_apart(first: Vehicle, at: State, second: Vehicle, there: State) -> None:
-    """Reject a second vehicle whose cages start in those of the first one, as discs.
+    """Reject a second vehicle whose parts start inside the first one, as that one meets them.
 
     Args:
         first: The first vehicle.
@@ -351,23 +351,26 @@ def check_apart(first: Vehicle, at: State, second: Vehicle, there: State) -> Non
         second: The second vehicle.
         there: Its state at time 0.
     """
-    deep = -min(_rim_gap(first, at, second, there), _rim_gap(second, there, first, at))
+    circle = np.linspace(0.0, 2.0 * np.pi, 96, endpoint=False)
+    ring = np.stack([np.cos(circle), np.sin(circle), np.zeros(96)], axis=1)
+    radii = np.array([first.arms.at("cage_radius", j) for j in range(first.arm_count)])
+    rims = (_ends(first)[:, None] + radii[:, None, None] * ring).reshape(-1, 3)
+    gaps = [_gap(rims, at, second, there)]
+    for ball in first.airframe().hull:
+        gaps.append(_gap(np.array([ball.centre]), at, second, there) - ball.radius)
+    deep = -min(gaps)
     if deep > LANDED:
         place = [round(x, 6) for x in there.position]
         raise problem(
-            f"puts its cages {deep:.3g} m inside those of the first vehicle (got {place} m)",
+            f"puts a part of it {deep:.3g} m inside the first vehicle (got {place} m)",
             "second.start.position",
         )
 
 
-def _rim_gap(one: Vehicle, at: State, other: Vehicle, there: State) -> float:
-    """Smallest distance of points of the rims of one vehicle's cages from the other's discs [m]."""
-    turn, back = _matrix(at), _matrix(there)
-    circle = np.linspace(0.0, 2.0 * np.pi, 96, endpoint=False)
-    ring = np.stack([np.cos(circle), np.sin(circle), np.zeros(96)], axis=1)
-    radii = np.array([one.arms.at("cage_radius", j) for j in range(one.arm_count)])
-    points = (_ends(one)[:, None] + radii[:, None, None] * ring).reshape(-1, 3)
-    seen = (np.array(at.position) + points @ turn.T - np.array(there.position)) @ back
+def _gap(points: Any, at: State, other: Vehicle, there: State) -> float:
+    """Smallest distance of points in body axes from the other's discs and main body [m]."""
+    seen = np.array(at.position) + points @ _matrix(at).T - np.array(there.position)
+    seen = seen @ _matrix(there)
     nearest = math.inf
     for j, end in enumerate(_ends(other)):
         away = seen - end
@@ -375,6 +378,9 @@ def _rim_gap(one: Vehicle, at: State, other: Vehicle, there: State) -> float:
         up = np.abs(away[:, 2]) - (0.5 * HEIGHT - EDGE)
         outside = np.hypot(np.maximum(out, 0.0), np.maximum(up, 0.0))
         nearest = min(nearest, float(np.min(outside + np.minimum(np.maximum(out, up), 0.0))) - EDGE)
+    for ball in other.airframe().hull:
+        far = np.linalg.norm(seen - np.array(ball.centre), axis=1)
+        nearest = min(nearest, float(np.min(far)) - ball.radius)
     return nearest
 
 
