@@ -140,12 +140,36 @@ def test_what_cannot_fly_together_is_refused(what: str) -> None:
         fly_pair(tables(0.0, 1.0), tables(0.7, 0.0, **changes))
 
 
+def test_far_apart_each_flies_as_if_it_were_alone() -> None:
+    """Steps as one rigid body, near or far from the ground, are those of a single vehicle."""
+    floor = [{"type": "ground", "surface": "wall"}]
+    each = [
+        tables(x, speed, z=0.8, gravity=9.81, obstacles=floor, duration=0.3, thrust="hover")
+        for x, speed in ((0.0, 1.5), (60.0, -1.0))
+    ]
+    both = fly_pair(*each)
+    for flight, given in nonempty(zip(both, each, strict=True)):
+        alone = fly(given)
+        assert np.array_equal(flight.t, alone.t)
+        for name in nonempty("x y z qw qx qy qz vx vy vz wx wy wz".split()):
+            assert np.abs(flight.columns[name] - alone.columns[name]).max() < 1e-14, name
+
+
+def test_two_that_come_fast_from_afar_touch_in_time() -> None:
+    """Steps of free flight would take them through each other."""
+    gap = 2.0 * (0.19 * np.sqrt(0.5) + 0.11) + 3.0
+    first, second = (tables(x, v, duration=0.0765) for x, v in ((0.0, 20.0), (gap, -20.0)))
+    flights = fly_pair(first, second, surface=SURFACE)
+    for flight in nonempty(flights):
+        assert flight.measures["touch_time"] == pytest.approx(3.0 / 40.0, abs=1e-6)
+
+
 @pytest.mark.parametrize("deep", [0.004, 0.2])
 def test_a_start_in_each_other_is_refused(deep: float) -> None:
     """Cages that overlap, and one vehicle in the middle of the other."""
     reach = 2.0 * (0.19 * np.sqrt(0.5) + 0.11)
     with pytest.raises(
-        InputError, match=r"second\.start\.position: puts its cages 0\.\d+ m inside"
+        InputError, match=r"second\.start\.position: puts a part of it 0\.\d+ m inside"
     ):
         fly_pair(tables(0.0, 1.0), tables(reach - deep, 0.0, yaw=np.pi))
     beside = [tables(x, 0.0, yaw=yaw, duration=1e-3) for x, yaw in ((0.0, 0.0), (reach, np.pi))]

@@ -10,6 +10,7 @@ from __future__ import annotations
 import gc
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from functools import cache, partial
 from typing import Any, Literal, NamedTuple
@@ -86,6 +87,7 @@ class _Fly(NamedTuple):
 
     impacts: Callable[..., None]
     guided: Callable[..., None]
+    threads: int  # for flights one by one
 
 
 class _Kind(NamedTuple):
@@ -187,10 +189,10 @@ def _fly_block(
         size = len(kind.numbers)
         _fly_kind(kind, fly, stage(progress, done / all_ready, size / all_ready), out)
         done += size
-    for number in pairs:
-        _fly_pair(tables[number], number, out)
-        done += 1
-        progress(done / all_ready)
+    with ThreadPoolExecutor(fly.threads) as pool:
+        for _ in pool.map(lambda number: _fly_pair(tables[number], number, out), pairs):
+            done += 1
+            progress(done / all_ready)
 
 
 def has_second(tables: Mapping[str, Any]) -> bool:
@@ -268,6 +270,7 @@ def _on_processor(threads: int) -> _Fly:
     return _Fly(
         partial(fly_buffers, threads=threads),
         partial(fly_groups, threads=threads),
+        threads,
     )
 
 
@@ -277,7 +280,7 @@ def _on_gpu() -> _Fly:
     from springback.simulation.gpu.flying import fly_buffers_on_gpu, fly_groups_on_gpu
 
     device()
-    return _Fly(fly_buffers_on_gpu, fly_groups_on_gpu)
+    return _Fly(fly_buffers_on_gpu, fly_groups_on_gpu, 1)
 
 
 def _fly_kind(kind: _Kind, fly: _Fly, progress: Progress, out: Rows) -> None:

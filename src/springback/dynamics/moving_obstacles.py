@@ -20,6 +20,7 @@ from springback.contact.moving.bodies import (
     HINGED,
     NO_BODY,
     PIVOTED,
+    BodyAccelerations,
     BodyPose,
     HingeTorque,
     MovingBody,
@@ -191,13 +192,6 @@ def _next_stop(body: MovingBody, state: BodyState, pose: BodyPose) -> Crossing:
     return sooner(forwards, crossing(angle - body.lowest, turning))
 
 
-class BodyAccelerations(NamedTuple):
-    """Accelerations of a moving obstacle."""
-
-    linear: Vec  # of its origin, world [m/s²]
-    angular: Vec  # its axes [rad/s²]
-
-
 @kernel
 def _accelerations(
     body: MovingBody, pose: BodyPose, load: BodyLoad, joint: float, gravity: float
@@ -273,8 +267,8 @@ def body_rates(s: BodySituation) -> BodyRates:
     hinge = (body.closer + body.stop) * _per_inertia(body)
     contact_rate = math.sqrt(spring + hinge) + damper + body.damping * _per_inertia(body)
     shaken = norm(a.linear) + body.reach * norm(a.angular)
-    if body.kind == CARRIED:  # its acceleration is not known here: a bound of what contact adds
-        shaken = give * norm(load.force)
+    if body.kind == CARRIED:  # along the face: what its own vehicle found
+        shaken = _shaken_along(body, at.r @ (reaction.force - reaction.friction))
     meets = sooner(touch.crossing, _next_stop(body, state, pose))
     seen = BodyView(
         touch.gap, meets, touch.engaged, fastest_of_body(body, pose), contact_rate,
@@ -285,6 +279,19 @@ def body_rates(s: BodySituation) -> BodyRates:
         ),
     )  # fmt: skip
     return BodyRates(_state_rate(body, state, a), work, seen)
+
+
+@kernel
+def _shaken_along(body: MovingBody, normal: Vec) -> float:
+    """Largest acceleration along a face of a part of another vehicle [m/s²].
+
+    Args:
+        body: The part.
+        normal: Force along the normal of the face, world [N].
+    """
+    a, pressed = body.accelerations.linear, normal @ normal
+    along = a - normal * ((a @ normal) / pressed) if pressed > 0.0 else a
+    return norm(along) + body.reach * norm(body.accelerations.angular)
 
 
 def _blank_situation() -> BodySituation:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -204,7 +204,7 @@ def avionics_at_start(
     return Avionics(systems, onboard)
 
 
-def avionics_buffers(avionics_list: list[Avionics], width: int) -> Buffer:
+def avionics_buffers(avionics_list: Sequence[Any], width: int) -> Buffer:
     """Buffers of avionics, lane by lane; spare lanes repeat the last flight."""
     groups, columns = -(-len(avionics_list) // width), [leaves(one) for one in avionics_list]
     buffers = zeros(groups, len(columns[0]), width)

@@ -48,6 +48,13 @@ class GivenPath(NamedTuple):
     table: float  # of a spline, whose values are added; 0: none
 
 
+class BodyAccelerations(NamedTuple):
+    """Accelerations of a moving obstacle."""
+
+    linear: Vec  # of its origin, world [m/s²]
+    angular: Vec  # its axes [rad/s²]
+
+
 class MovingBody(NamedTuple):
     """An obstacle that moves."""
 
@@ -72,6 +79,7 @@ class MovingBody(NamedTuple):
     reach: float  # farthest point of the solids from its origin [m]
     mobility: float  # upper bound of the speed of a point of it per impulse there [1/kg]
     start: BodyState  # at time 0
+    accelerations: BodyAccelerations  # of a part of another vehicle, in the step before
 
 
 class BodyPose(NamedTuple):
@@ -226,5 +234,5 @@ _NO_MATRIX = Mat3(_NONE, _NONE, _NONE)
 NO_BODY = MovingBody(
     0.0, ABSENT, 0.0, -1.0, 1.0, _NO_MATRIX, _NO_MATRIX, _NONE, _NONE, Vec(0.0, 0.0, 1.0), 0.0, 0.0,
     0.0, 0.0, 0.0, 0.0, GivenPath(_NONE, _NONE, _NONE, 0.0, 0.0, 0.0, 0.0, 0.0), 0.0, 0.0, 0.0,
-    BodyState(_NONE, Quat(1.0, 0.0, 0.0, 0.0), _NONE, _NONE),
+    BodyState(_NONE, Quat(1.0, 0.0, 0.0, 0.0), _NONE, _NONE), BodyAccelerations(_NONE, _NONE),
 )  # fmt: skip

@@ -13,33 +13,33 @@ from springback.contact.scene.faces import SolidScene
 from springback.contact.surfaces import AnyExponent, AnyTangent, Surface
 from springback.dynamics.moving_obstacles import flown_scene
 from springback.dynamics.touches import PartPush, Pushes
-from springback.kernels.layout import Buffer, TreeLayout, row_of, rows
+from springback.kernels.layout import Buffer, rows
 from springback.kernels.trees import rebuilt
 from springback.kernels.vectors import Vec
 from springback.simulation.flight import (
     LOG_ROWS,
-    SLICE,
     FlightRecord,
     Trace,
+    check_instants,
     empty_log,
     flight_buffers,
     flight_records,
     shape_of,
     trace_columns,
 )
-from springback.simulation.guided import GuidedFlown, avionics_buffers, telemetry_head, ticks_of
+from springback.simulation.guided import (
+    TICKS,
+    GuidedFlown,
+    TickRange,
+    avionics_buffers,
+    telemetry_head,
+    ticks_of,
+)
 from springback.simulation.onboard import Avionics
 from springback.simulation.pair.parts import carried_bodies, parts_of
-from springback.simulation.pair.stepping import advance_both
-from springback.simulation.record import FINISHED, FLYING, Model
-from springback.simulation.ticks import (
-    GUST_NOISE,
-    FlightBuffers,
-    FlightLog,
-    drive_rotors,
-    layouts_of,
-    sense_and_decide,
-)
+from springback.simulation.pair.stepping import NoAvionics, PairSide, pair_guide
+from springback.simulation.record import Model
+from springback.simulation.ticks import GUST_NOISE, FlightLog, layouts_of
 from springback.vehicle.state import State
 
 #: Surface that is noticed and does not push.
@@ -58,23 +58,22 @@ class PairedFlight(NamedTuple):
 class _Side:
     """One of two vehicles while it flies."""
 
-    def __init__(self, flight: PairedFlight, trace: bool, ticks: int) -> None:
+    def __init__(self, flight: PairedFlight, trace: bool, ticks: int, period: float) -> None:
         self.flight = flight
         self.shape = shape_of(flight.model, flight.start)
-        self.layout = TreeLayout(self.shape)
         self.motion = flight_buffers(self.shape, [flight.model], [flight.start], 1)
         self.columns = len(trace_columns(self.shape))
         self.full: list[Buffer] = []
         self.trace = trace
         self.log = self._new_log()
-        self.onboard: Buffer | None = None
-        head: list[str] = []
+        self.avionics: Any = flight.avionics or NoAvionics(period)
+        self.onboard = avionics_buffers([self.avionics], 1)
+        self.noise, head = np.zeros((ticks, GUST_NOISE)), list[str]()
         if flight.avionics is not None:
             assert flight.noise is not None
-            self.onboard = avionics_buffers([flight.avionics], 1)
-            channels = flight.noise.shape[1] - GUST_NOISE
-            self.layouts = layouts_of(self.shape, flight.avionics, channels)
+            self.noise = flight.noise
             head = telemetry_head(flight.avionics) if trace else []
+        self.layouts = layouts_of(self.shape, self.avionics, self.noise.shape[1] - GUST_NOISE)
         self.head = tuple(head)
         self.telemetry = np.zeros((ticks if head else 0, max(len(head), 1)))
 
@@ -86,22 +85,11 @@ class _Side:
         self.full.append(self.log.rows[: self.log.used[0]])
         self.log = self._new_log()
 
-    def begin_tick(self, tick: int, duration: float, period: float) -> None:
-        """Run sensors and pilot, and set rotors and end until the next tick."""
-        if self.onboard is None:
-            self._set_end(min((tick + 1) * period, duration))
-            return
-        assert self.flight.noise is not None
-        buffers = FlightBuffers(self.motion[0], self.onboard[0], (0,))
-        log, drawn = FlightLog(self.log, self.telemetry), self.flight.noise[tick]
-        sense_and_decide(self.layouts, buffers, tick, drawn, log)
-        drive_rotors(self.layouts, buffers, tick, drawn, log, duration)
-
-    def _set_end(self, until: float) -> None:
-        self.motion[0, row_of(self.shape.model, "timing")] = until
-        status = row_of(self.shape.record.stepping, "status") - rows(self.shape.record)
-        if self.motion[0, status] == FINISHED:
-            self.motion[0, status] = FLYING
+    @property
+    def in_flight(self) -> PairSide:
+        """For the executor, until the log is full."""
+        log = FlightLog(self.log, self.telemetry)
+        return PairSide(self.layouts, self.motion[0], self.onboard[0], self.noise, log)
 
     def result(self) -> GuidedFlown | FlightRecord:
         """Result."""
@@ -112,7 +100,6 @@ class _Side:
             flown = flown._replace(trace=Trace(trace_columns(self.shape), values))
         if flight.avionics is None:
             return flown
-        assert self.onboard is not None
         at = rows(flight.avionics.systems)
         after = rebuilt(flight.avionics.onboard, self.onboard[0, at:])
         return GuidedFlown(flown, after, Trace(self.head, self.telemetry) if self.trace else None)
@@ -168,25 +155,27 @@ def fly_both(
         period: Of a tick [s].
         trace: Record trajectories and telemetry.
         progress: Called from time to time with the simulated time [s].
+
+    Raises:
+        InputError: If a trajectory would have too many instants to be recorded.
     """
     duration = first.model.timing.until
     guided = first.avionics is not None or second.avionics is not None
     period = period if guided else duration
     ticks = ticks_of(duration, period)
-    a, b = (_Side(each, trace, ticks) for each in beside_each_other(first, second, surface))
-    for tick in range(ticks):
-        a.begin_tick(tick, duration, period)
-        b.begin_tick(tick, duration, period)
-        early, flying = (0.0 if tick == ticks - 1 else 1.0), 1
-        while flying:
-            flying = advance_both(
-                a.layout, a.motion[0], b.layout, b.motion[0], a.log, b.log, SLICE, early
-            )
-            if trace and max(a.log.used[0], b.log.used[0]) >= LOG_ROWS:
-                a.keep_log()
-                b.keep_log()
-        if progress is not None and tick % 100 == 0:
-            progress(tick * period)
+    sides = beside_each_other(first, second, surface)
+    a, b = (_Side(each, trace, ticks, period) for each in sides)
+    fly, at = pair_guide(a.avionics, b.avionics), np.zeros(3, dtype=np.int64)
+    while at[0] < ticks:
+        end = min(ticks, int(at[0]) + TICKS)
+        fly(a.in_flight, b.in_flight, TickRange(at, end, ticks - 1, duration, False))
+        instants = sum(map(len, a.full)) + int(a.log.used[0])
+        check_instants(instants if trace else 0, float(at[0]) * period, duration)
+        if trace and max(a.log.used[0], b.log.used[0]) >= LOG_ROWS:
+            a.keep_log()
+            b.keep_log()
+        if progress is not None:
+            progress(int(at[0]) * period)
     return a.result(), _with_given_work(b.result(), a.result())
 
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from springback.contact.moving.bodies import CARRIED, MovingBody
+from springback.contact.moving.bodies import CARRIED, BodyAccelerations, MovingBody
 from springback.contact.moving.building import bodies_of
 from springback.contact.scene.solids import CAPSULE, FRUSTUM
 from springback.contact.scene.table import Solid, scene_of
@@ -44,6 +44,38 @@ def parts_of(airframe: Airframe, state: State) -> tuple[BodyState, ...]:
     r = rotation(state.attitude)
     arms = (airframe.arms, state.arm_length, state.arm_rate)
     return tree_map(_arm_part, arms, (state, r)) + tree_map(_hull_part, (airframe.hull,), (state,))
+
+
+@kernel
+def _arm_accelerations(
+    arm: Arm, length: float, rate: float, changes: float, state: State, now: State, r: Mat3
+) -> BodyAccelerations:
+    along, w = arm_direction(arm), state.angular_velocity
+    lever, moving = length * along, (w ^ (length * along)) + rate * along
+    turned = (now.angular_velocity ^ lever) + (w ^ moving) + (w ^ (rate * along))
+    linear = now.velocity + r @ (turned + changes * along)
+    return BodyAccelerations(linear, now.angular_velocity)
+
+
+@kernel
+def _hull_accelerations(hull: Sphere, now: State) -> BodyAccelerations:
+    return BodyAccelerations(now.velocity, now.angular_velocity)
+
+
+@kernel
+def part_accelerations(
+    airframe: Airframe, state: State, now: State
+) -> tuple[BodyAccelerations, ...]:
+    """Accelerations of the parts of a vehicle: of its cages, then of its hull.
+
+    Args:
+        airframe: Of the vehicle.
+        state: Its state.
+        now: The rate of that.
+    """
+    arms = (airframe.arms, state.arm_length, state.arm_rate, now.arm_rate)
+    cages = tree_map(_arm_accelerations, arms, (state, now, rotation(state.attitude)))
+    return cages + tree_map(_hull_accelerations, (airframe.hull,), (now,))
 
 
 def carried_bodies(airframe: Airframe, state: State, surface: Surface) -> tuple[MovingBody, ...]:

@@ -3,16 +3,23 @@
 The first vehicle meets the parts of the second as moving obstacles, and their contact is computed
 there, once.  The second meets those of the first with a surface that does not push, so that it
 knows when it is touched, and gets the opposite forces: momentum is kept to rounding.  At each stage
-of a step the parts of each are where they are at that stage.
+of a step the parts of each are where they are at that stage.  While neither can touch anything,
+each takes steps as one rigid body.
 """
 
 from __future__ import annotations
 
+import functools
+from typing import Any, NamedTuple
+
+from springback.contact.moving.bodies import BodyAccelerations, MovingBody
+from springback.dynamics.clearance import HASTE, has_room
 from springback.dynamics.motion import Engaged, Rates
 from springback.dynamics.touches import PartPush
-from springback.kernels.compiler import executor, kernel
+from springback.kernels.compiler import Origin, executor, kernel, user_executor, with_globals
 from springback.kernels.layout import Buffer, TreeLayout, read, row_of, write
-from springback.kernels.trees import field_of
+from springback.kernels.trees import field_of, replace, tree_map
+from springback.kernels.vectors import Mat3, rotation
 from springback.simulation.executor import (
     REACH,
     WEIGHT,
@@ -20,6 +27,7 @@ from springback.simulation.executor import (
     accept_step,
     add_rates,
     begin_step,
+    cruise,
     handle_events,
     has_space,
     log_step,
@@ -27,9 +35,25 @@ from springback.simulation.executor import (
     stage_model,
     stage_state,
 )
-from springback.simulation.lanes import places
-from springback.simulation.pair.parts import parts_of
-from springback.simulation.record import ARRIVED, FLYING
+from springback.simulation.flight import SLICE, own_types, sources
+from springback.simulation.guided import FLY, LOOK, TickRange
+from springback.simulation.lanes import CRUISES, places
+from springback.simulation.pair.parts import part_accelerations, parts_of
+from springback.simulation.record import (
+    ARRIVED,
+    FINISHED,
+    FLYING,
+    awaits_return,
+    is_quiet,
+)
+from springback.simulation.ticks import (
+    FlightBuffers,
+    FlightLog,
+    Layouts,
+    drive_rotors,
+    sense_and_decide,
+)
+from springback.vehicle.state import fastest_point
 
 
 @kernel
@@ -42,9 +66,42 @@ def _with_parts(shape: TreeLayout, b: Buffer, other: TreeLayout, o: Buffer, reac
 
 
 @kernel
-def _with_pushes(shape: TreeLayout, b: Buffer, pushes: tuple[PartPush, ...]) -> None:
-    """Write the pushes of the first vehicle into the model of the second."""
-    write(pushes, b, row_of(shape.model, "pushes"), 1, 0)
+def _accelerated(body: MovingBody, known: BodyAccelerations) -> MovingBody:
+    return replace(body, accelerations=known)
+
+
+@kernel
+def _with_accelerations(shape: TreeLayout, b: Buffer, other: TreeLayout, o: Buffer) -> None:
+    """Write the accelerations of the other vehicle's parts, a step ago, into this one's world."""
+    at, model = places(other, 1), read(other.model, o, 0, 1, 0)
+    state = read(other.motion.state, o, at.motion, 1, 0)
+    rate = read(other.motion.state, o, at.rate, 1, 0)
+    world = shape.model.world
+    row = row_of(shape.model, "world") + row_of(world, "obstacles")
+    row += row_of(world.obstacles, "bodies")
+    bodies = read(world.obstacles.bodies, b, row, 1, 0)
+    known = part_accelerations(model.airframe, state, rate)
+    write(tree_map(_accelerated, (bodies, known), ()), b, row, 1, 0)
+
+
+@kernel
+def _kept(push: PartPush, r: Mat3) -> PartPush:
+    """A push that in the second's axes, and back in those of the world, is what it was.
+
+    Within a step the quaternion is not quite of length 1, so that r rᵀ is not quite 1.
+    """
+    force, moment, friction = push.force, push.moment, push.friction
+    return PartPush(
+        2.0 * force - r @ (force @ r), 2.0 * moment - r @ (moment @ r), push.normal, push.touches,
+        2.0 * friction - r @ (friction @ r),
+    )  # fmt: skip
+
+
+@kernel
+def _with_pushes(shape: TreeLayout, b: Buffer, pushes: tuple[PartPush, ...], reach: float) -> None:
+    """Write the pushes of the first vehicle at a stage into the model of the second."""
+    r = rotation(stage_state(shape, b, 1, 0, reach).attitude)
+    write(tree_map(_kept, (pushes,), (r,)), b, row_of(shape.model, "pushes"), 1, 0)
 
 
 @executor(nogil=True)
@@ -56,9 +113,10 @@ def begin_both(
     at, to = places(first, 1), places(second, 1)
     _with_parts(first, a, second, b, 0.0)
     _with_parts(second, b, first, a, 0.0)
+    _with_accelerations(first, a, second, b)
     begin_step(first, a, 1)
     seen = read(first.seen, a, at.seen, 1, 0)
-    _with_pushes(second, b, field_of(seen.bodies, "push"))
+    _with_pushes(second, b, field_of(seen.bodies, "push"), 0.0)
     begin_step(second, b, 1)
     h = a[at.step] if a[at.step] < b[to.step] else b[to.step]
     _shorten(first, a, h)
@@ -88,7 +146,7 @@ def stage_of_both(
     _with_parts(first, a, second, b, reach)
     _with_parts(second, b, first, a, reach)
     known = _stage_rates(first, a, reach)
-    _with_pushes(second, b, field_of(known.seen.bodies, "push"))
+    _with_pushes(second, b, field_of(known.seen.bodies, "push"), reach)
     pushed = _stage_rates(second, b, reach)
     add_rates(first, a, 1, 0, known.motion, weight)
     add_rates(second, b, 1, 0, pushed.motion, weight)
@@ -105,10 +163,71 @@ def _stage_rates(shape: TreeLayout, b: Buffer, reach: float) -> Rates:
 @executor(nogil=True)
 def end_both(first: TreeLayout, a: Buffer, second: TreeLayout, b: Buffer) -> None:
     """Take the step of both vehicles, and process their requests."""
+    _leave_room(first, a, second, b, a[places(first, 1).step])
     accept_step(first, a, 1, 0)
     accept_step(second, b, 1, 0)
     handle_events(first, a, 1)
     handle_events(second, b, 1)
+
+
+@kernel
+def _leave_room(first: TreeLayout, a: Buffer, second: TreeLayout, b: Buffer, h: float) -> None:
+    """Set the room of both to what a step of ``h`` leaves of the smaller one."""
+    at, to = places(first, 1).room, places(second, 1).room
+    left = a[at] if a[at] < b[to] else b[to]
+    left -= HASTE * (_speed(first, a) + _speed(second, b)) * h
+    a[at], b[to] = left, left
+
+
+@kernel
+def _speed(shape: TreeLayout, b: Buffer) -> float:
+    """Upper bound of the speed of any point of a vehicle [m/s]."""
+    model = read(shape.model, b, 0, 1, 0)
+    state = read(shape.motion.state, b, places(shape, 1).motion, 1, 0)
+    return fastest_point(model.airframe, state.velocity, state.angular_velocity)
+
+
+@kernel
+def _is_lone(shape: TreeLayout, b: Buffer) -> bool:
+    """True if a step of a vehicle as one rigid body misses no event of its own."""
+    model = read(shape.model, b, 0, 1, 0)
+    record = read(shape.record, b, places(shape, 1).record, 1, 0)
+    now, contacts = record.stepping, record.contacts
+    ahead = awaits_return(contacts.impacts, record.first_impact)
+    quiet = is_quiet(
+        model.timing, contacts.touching, now.phase, contacts.impact_open, ahead, ()
+    ) & (now.status == FLYING)
+    return bool(quiet & (model.timing.until - now.time > ARRIVED))
+
+
+@executor(nogil=True)
+def cruise_both(
+    first: TreeLayout, a: Buffer, second: TreeLayout, b: Buffer, log_a: TrajectoryLog,
+    log_b: TrajectoryLog,
+) -> bool:  # fmt: skip
+    """Take a step of both vehicles as rigid bodies, if nothing can touch meanwhile.
+
+    Returns:
+        True if they took it.
+    """
+    at, to = places(first, 1), places(second, 1)
+    model = read(first.model, a, 0, 1, 0)
+    left, h = model.timing.until - a[at.record], model.timing.free_step
+    h = left if left < h else h
+    room = a[at.room] if a[at.room] < b[to.room] else b[to.room]
+    roomy = has_room(room, _speed(first, a) + _speed(second, b), model.timing.free_step)
+    if not (roomy and _is_lone(first, a) and _is_lone(second, b)):
+        return False
+    if log_a.rows.shape[0] > 0:
+        _with_parts(first, a, second, b, 0.0)
+        _with_parts(second, b, first, a, 0.0)
+    _leave_room(first, a, second, b, h)
+    room = a[at.room]
+    a[at.mark], b[to.mark] = CRUISES, CRUISES
+    cruise(first, a, 1, log_a)
+    cruise(second, b, 1, log_b)
+    a[at.room], b[to.room] = room, room
+    return True
 
 
 @executor(nogil=True)
@@ -144,9 +263,93 @@ def advance_both(
             return 0
         if not (has_space(log_a) and has_space(log_b)):
             break
-        begin_both(first, a, second, b, log_a, log_b)
-        for stage in range(1, 4):
-            stage_of_both(first, a, second, b, REACH[stage], WEIGHT[stage])
-        end_both(first, a, second, b)
+        if not cruise_both(first, a, second, b, log_a, log_b):
+            begin_both(first, a, second, b, log_a, log_b)
+            for stage in range(1, 4):
+                stage_of_both(first, a, second, b, REACH[stage], WEIGHT[stage])
+            end_both(first, a, second, b)
         budget -= 1
     return 1 if a[row_a] == FLYING and b[row_b] == FLYING else 0
+
+
+class NoAvionics(NamedTuple):
+    """In place of the avionics of a vehicle with constant thrust."""
+
+    period: float  # of the clock [s]
+
+
+class PairSide(NamedTuple):
+    """One of two vehicles in flight."""
+
+    layouts: Layouts
+    motion: Buffer
+    onboard: Buffer  # avionics, or `NoAvionics`
+    noise: Buffer  # shape (ticks, channels)
+    log: FlightLog
+
+
+@executor(nogil=True)
+def guided_tick(side: PairSide, tick: int, duration: float) -> None:
+    """Run sensors and pilot, and set the rotors until the next tick."""
+    buffers = FlightBuffers(side.motion, side.onboard, (0,))
+    sense_and_decide(side.layouts, buffers, tick, side.noise[tick], side.log)
+    drive_rotors(side.layouts, buffers, tick, side.noise[tick], side.log, duration)
+
+
+@executor(nogil=True)
+def unguided_tick(side: PairSide, tick: int, duration: float) -> None:
+    """Fly on with the same thrust until the next tick."""
+    shape, b = side.layouts.shape, side.motion
+    end, row = (tick + 1) * side.onboard[0], places(shape, 1).status
+    b[row_of(shape.model, "timing")] = end if end < duration else duration  # its first field
+    b[row] = FLYING if b[row] == FINISHED else b[row]
+
+
+#: What begins a tick of each vehicle; replaced by `pair_guide`.
+begin_first = begin_second = guided_tick
+
+
+@executor(nogil=True)
+def guide_both(first: PairSide, second: PairSide, ticks: TickRange) -> None:
+    """Fly two vehicles from tick to tick.
+
+    It returns when the ticks are done, when a log is full, and after many steps within a tick;
+    called again, it continues from there.
+
+    Args:
+        first: The one on whose side contact is computed.
+        second: The other one.
+        ticks: To be flown; their position is advanced.
+    """
+    at, one, other = ticks.position, first.layouts.shape, second.layouts.shape
+    a, b, log_a, log_b = first.motion, second.motion, first.log.trajectory, second.log.trajectory
+    while at[0] < ticks.end:
+        if at[1] == LOOK:
+            begin_first(first, at[0], ticks.duration)
+            begin_second(second, at[0], ticks.duration)
+            at[1] = FLY
+        early = 0.0 if at[0] == ticks.last else 1.0
+        if advance_both(one, a, other, b, log_a, log_b, SLICE, early) > 0:
+            return
+        at[0], at[1] = at[0] + 1, LOOK
+
+
+def pair_guide(first: Any, second: Any) -> Any:
+    """`guide_both` for the avionics of two vehicles, or `NoAvionics`."""
+    own = own_types(first) | own_types(second)
+    guided = tuple(not isinstance(one, NoAvionics) for one in (first, second))
+    return _pair_guide(guided, frozenset(own), sources(own) if own else None)
+
+
+@functools.cache
+def _pair_guide(guided: tuple[bool, bool], own: frozenset[type], files: Origin | None) -> Any:
+    def entry(function: Any, **parts: Any) -> Any:
+        plain = with_globals(function.py_func, **parts)
+        return user_executor(plain, files, nogil=True) if own else executor(nogil=True)(plain)
+
+    tick: Any = guided_tick
+    if own:
+        parts = {"sense_and_decide": sense_and_decide, "drive_rotors": drive_rotors}
+        tick = entry(guided_tick, **{name: entry(part) for name, part in parts.items()})
+    begins = [tick if pilot else unguided_tick for pilot in guided]
+    return entry(guide_both, begin_first=begins[0], begin_second=begins[1])
