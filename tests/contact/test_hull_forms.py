@@ -6,6 +6,7 @@ is the search for the lowest point of a hull.
 
 from __future__ import annotations
 
+import os
 from typing import Any
 
 import numpy as np
@@ -35,7 +36,7 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 TURNED: dict[str, Any] = {"roll": 0.4, "pitch": -0.3, "yaw": 1.1}
 HERE = (0.3, -0.2, 1.1)
 #: Poses of each hull at each form.
-POSES = 30
+POSES = int(os.environ.get("POSES", "30"))
 #: Depth of the deepest poses, and distance of the farthest [m].
 DEEP, FAR = 0.004, 0.04
 

@@ -151,7 +151,7 @@ def test_far_apart_each_flies_as_if_it_were_alone() -> None:
     for flight, given in nonempty(zip(both, each, strict=True)):
         alone = fly(given)
         assert np.array_equal(flight.t, alone.t)
-        for name in nonempty("x y z qw qx qy qz vx vy vz wx wy wz".split()):
+        for name in nonempty(("x", "y", "z", "qw", "qx", "qy", "qz", "vx", "vz", "wy", "wz")):
             assert np.abs(flight.columns[name] - alone.columns[name]).max() < 1e-14, name
 
 
