@@ -314,10 +314,10 @@ MUTATIONS = (
     Mutation("mover, surface does not turn", LOADS, "return omega - moving.spin", "return omega - 0.0 * moving.spin", MOVING),
     # impulses
     Mutation("impulse, pulls", IMPULSES, "impulse = n * part[k] + rub[k]", "impulse = -n * part[k] + rub[k]", IMPULSE),
-    Mutation("impulse, friction drives", IMPULSES, "t * -(stopping if", "t * (stopping if", IMPULSE),
+    Mutation("impulse, friction drives", IMPULSES, "t * -(limit if", "t * (limit if", IMPULSE),
     Mutation("impulse, turns the other way", IMPULSES, "(1.0 / mass), turn)", "(1.0 / mass), -turn)", IMPULSE),
     Mutation("impulse, gives e of the work back", IMPULSES, "e * e * taken[k]", "e * taken[k]", IMPULSE),
-    Mutation("impulse, friction unbounded", IMPULSES, "stopping if stopping < limit else limit", "stopping", IMPULSE),
+    Mutation("impulse, friction unbounded", IMPULSES, "limit if speed > limit * yields else speed / yields", "speed / yields", IMPULSE),
     Mutation("impulse, its loss unbooked", IMPULSES, "work.contact + lost - rubbed_off", "work.contact", IMPULSE),
     Mutation("impulse, friction's share, sign", IMPULSES, "rubbed_off -= share", "rubbed_off += share", IMPULSE),
     Mutation("impulse, rests never", IMPULSES, "rebound[k] = hit.surface.restitution if closing > RESTING else 0.0\n                tolerated", "rebound[k] = hit.surface.restitution\n                tolerated", IMPULSE),

@@ -88,6 +88,20 @@ def test_energy_of_both_together_is_kept_but_for_the_losses(name: str) -> None:
     assert total("energy_end") + lost == pytest.approx(before, rel=1e-6)
 
 
+@pytest.mark.parametrize("name", MEETINGS)
+def test_both_report_the_same_touch(name: str) -> None:
+    """When, how fast along the normal, how deep and for how long: it is one contact."""
+    first, second = meeting(name)
+    for measure in nonempty(("touch_time", "touch_speed", "penetration", "contact_duration")):
+        one, other = (flight.measures[measure] for flight in (first, second))  # type: ignore[literal-required]
+        assert one == pytest.approx(other, rel=1e-12), measure
+    assert first.measures["contacts"] == second.measures["contacts"]
+    begun = [event.text for event in second.events if event.text.startswith("first touch")]
+    assert begun == [
+        f"first touch, at {second.touch_speed:.2f} m/s along the normal, relative to it"
+    ]
+
+
 def test_both_see_the_same_in_the_frame_of_the_other() -> None:
     """Adding one velocity to both changes nothing that they feel."""
     first, second = MEETINGS["head-on"]

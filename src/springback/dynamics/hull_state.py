@@ -18,16 +18,14 @@ from springback.dynamics.touches import (
     bristles_of,
     contact_of,
     crossing_of,
-    is_in_contact,
     slip_of,
     slip_rate,
     strikes,
-    touched_normal,
+    touch_of,
     with_push,
-    with_push_flag,
 )
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import field_of, fold, maximum, minimum, tree_map, tree_sum
+from springback.kernels.trees import field_of, fold, maximum, tree_map, tree_sum
 from springback.kernels.vectors import Vec, positive_part
 from springback.vehicle.state import Bristles
 
@@ -78,24 +76,22 @@ def hull_state(
     faces = hull_faces(hull, obstacles, maximum(engaged))
     pose = hull_pose(hull, body.velocity)
     met = contacts_with(obstacles, faces, engaged, bristles, pose, body)
-    touch, gap = tree_sum(field_of(met, "touch")), minimum(field_of(met, "gap"))
-    touch = fold(with_push, touch, push, (Vec(0.0, 0.0, 0.0), body.r))
-    engaged_now = fold(with_push_flag, tree_map(is_in_contact, (met,), ()), push, ())
+    load, touches = tree_sum(field_of(met, "touch")), touch_of(met, push, body.r)
+    touch = fold(with_push, load, push, (Vec(0.0, 0.0, 0.0), body.r))
     view = HullView(
-        gap=gap,
-        depth=positive_part(-gap),
+        gap=touches.gap,
+        depth=positive_part(-touches.gap),
         normal=touch.normal,
         friction=body.r @ touch.friction,
         crossing=soonest(tree_map(crossing_of, (met,), ())),
-        engaged=engaged_now,
+        engaged=touches.engaged,
         impulsive=maximum(tree_map(strikes, (met,), ())),
     )
     farthest = maximum(tree_map(_square_distance, (met,), ()))
     slips = tree_map(slip_of, (met,), ())
-    touched = touched_normal(met, gap, engaged_now)
     contact = contact_of(touch, moving_bodies(obstacles), met)
     held = bristles_of(bristles, met, body.r)
-    return HullState(contact, view, touched, touch.grip.alone, farthest, slips, held)
+    return HullState(contact, view, touches.inward, touch.grip.alone, farthest, slips, held)
 
 
 @kernel

@@ -53,7 +53,7 @@ from springback.dynamics.hull_state import HullView as HullView
 from springback.dynamics.hull_state import friction_rate_with_hull, hull_slip_rate, hull_state
 from springback.dynamics.ledger import Work as Work
 from springback.dynamics.moving_obstacles import VehiclePlace, all_flags, bodies_rates
-from springback.dynamics.obstacle_views import BodyView, StepRates, with_body_rates
+from springback.dynamics.obstacle_views import BodyView, StepRates, struck_bodies, with_body_rates
 from springback.dynamics.solution import Free as Free
 from springback.dynamics.solution import Slider as Slider
 from springback.dynamics.solution import System as System
@@ -76,13 +76,11 @@ from springback.dynamics.touches import (
     friction_rate_with_bristles,
     hull_bristles,
     hull_pushes,
-    is_in_contact,
     slip_of,
     slip_rate,
     strikes,
-    touched_normal,
+    touch_of,
     with_push,
-    with_push_flag,
 )
 from springback.dynamics.touches import Engaged as Engaged
 from springback.kernels.compiler import kernel
@@ -90,7 +88,6 @@ from springback.kernels.trees import (
     field_of,
     fold,
     maximum,
-    minimum,
     one_tuple,
     replace,
     select,
@@ -238,7 +235,7 @@ def arm_state(
     faces = arm_faces(arm, around.obstacles, around.contact_point, pose, touching)
     met = contacts_with(around.obstacles, faces, engaged, bristles, pose, body)
     touch = fold(with_push, tree_sum(field_of(met, "touch")), push, (lever, body.r))
-    gap = minimum(field_of(met, "gap"))
+    touches = touch_of(met, push, body.r)
     stop = end_stop(arm, length, rate)
 
     across = e.x * omega.y - e.y * omega.x
@@ -268,23 +265,22 @@ def arm_state(
     )
     has_stops = (arm.stop_stiffness > 0.0) & (u > 0.0)
     stops_at = next_stop(arm, length, rate if has_stops else 0.0)
-    engaged_now = fold(with_push_flag, tree_map(is_in_contact, (met,), ()), push, ())
     view = ArmView(
-        gap=gap,
-        depth=positive_part(-gap),
+        gap=touches.gap,
+        depth=positive_part(-touches.gap),
         normal=touch.normal,
         friction=body.r @ touch.friction,
         compression=arm.length - length,
         unbalance=0.0,
         crossing=sooner(soonest(tree_map(crossing_of, (met,), ())), stops_at),
-        engaged=engaged_now,
+        engaged=touches.engaged,
         impulsive=maximum(tree_map(strikes, (met,), ())),
         bottomed=1.0 if has_stops & (length < arm.shortest) else 0.0,
         stopped=1.0 if u * stop.stiffness > 0.0 else 0.0,
     )
     grip = ArmFrictionRate(touch.grip.on_arm * per_mass, touch.grip.lean * per_mass)
     return ArmState(
-        share, ArmPull(h * per_mass, u), view, touched_normal(met, gap, engaged_now), grip, slide,
+        share, ArmPull(h * per_mass, u), view, touches.inward, grip, slide,
         tree_map(slip_of, (met,), ()), bristles_of(bristles, met, body.r),
     )  # fmt: skip
 
@@ -411,7 +407,7 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
         world.obstacles, state.bodies, moving_bodies(obstacles), contact.reactions, engaged.bodies,
         VehiclePlace(state.position, r), world.gravity,
     )  # fmt: skip
-    seen_bodies = field_of(bodies, "seen")
+    seen_bodies = struck_bodies(plant.pushes, field_of(bodies, "seen"))
 
     blown = aerodynamics(plant.air, velocity, r, a.thrust)
     turning = omega ^ a.carried

@@ -275,7 +275,8 @@ def body_rates(s: BodySituation) -> BodyRates:
         (reaction.grip + touch.grip) * give, shaken * (reaction.per_speed + touch.per_speed),
         1.0 if reaction.touches > 0.0 else 0.0, pose,
         PartPush(
-            load.force, load.moment, reaction.normal, reaction.touches, -(at.r @ reaction.friction)
+            load.force, load.moment, reaction.normal, reaction.touches, -(at.r @ reaction.friction),
+            -(at.r @ reaction.inward), reaction.depth / larger(reaction.touches, 1.0),
         ),
     )  # fmt: skip
     return BodyRates(_state_rate(body, state, a), work, seen)
@@ -297,7 +298,7 @@ def _shaken_along(body: MovingBody, normal: Vec) -> float:
 def _blank_situation() -> BodySituation:
     none = Mat3(_NONE, _NONE, _NONE)
     rest = FaceMotion(_NONE, _NONE, 0.0)
-    reaction = Reaction(_NONE, _NONE, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, _NONE)
+    reaction = Reaction(_NONE, _NONE, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, _NONE, _NONE, 0.0)
     place = VehiclePlace(_NONE, none)
     start = _at_rest()
     return BodySituation(NO_BODY, start, rest, reaction, 0.0, 0.0, 0.0, place, 0.0)

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from springback.contact.moving.bodies import BodyPose
 from springback.dynamics.crossing import NO_CROSSING, Crossing
-from springback.dynamics.touches import PartPush
-from springback.kernels.compiler import kernel
-from springback.kernels.trees import fold, select, tree_map
+from springback.dynamics.touches import PartPush, Pushes
+from springback.kernels.compiler import generic, kernel
+from springback.kernels.trees import fold, replace, select, tree_map
 from springback.kernels.vectors import Mat3, Vec
 
 _NONE = Vec(0.0, 0.0, 0.0)
@@ -33,8 +33,25 @@ class BodyView(NamedTuple):
 NO_VIEW = BodyView(
     1e9, Crossing(NO_CROSSING, 1.0), 0.0, 0.0, 0.0, 0.0, 0.0, 0.0,
     BodyPose(_NONE, Mat3(_NONE, _NONE, _NONE), _NONE, _NONE),
-    PartPush(_NONE, _NONE, 0.0, 0.0, _NONE),
+    PartPush(_NONE, _NONE, 0.0, 0.0, _NONE, _NONE, 0.0),
 )  # fmt: skip
+
+
+@kernel
+def _struck_by(body: BodyView, touches: float) -> BodyView:
+    return replace(body, struck=touches)
+
+
+@generic
+def struck_bodies(pushed: Any, bodies: tuple[BodyView, ...]) -> tuple[BodyView, ...]:
+    """Moving obstacles, of which parts of another vehicle tell themselves whether they touch."""
+    return bodies
+
+
+@struck_bodies.register(Pushes)
+@kernel
+def _by_the_other(pushed: Pushes, bodies: tuple[BodyView, ...]) -> tuple[BodyView, ...]:
+    return tree_map(_struck_by, (bodies, pushed.strikers), ())
 
 
 class StepRates(NamedTuple):

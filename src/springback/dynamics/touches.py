@@ -18,12 +18,13 @@ from springback.kernels.trees import (
     field_of,
     fold,
     maximum,
+    minimum,
     one_tuple,
     replace,
     tree_map,
     tree_sum,
 )
-from springback.kernels.vectors import Mat3, Vec, larger
+from springback.kernels.vectors import Mat3, Vec, larger, positive_part, smaller
 from springback.vehicle.state import Bristles, VehicleBristles
 
 #: A cage at a surface of the impulse law rests there while it is slower than this along the normal
@@ -43,6 +44,8 @@ class Reaction(NamedTuple):
     touches: float  # number of contacts
     normal: float  # sum of the normal forces [N]
     friction: Vec  # on the vehicle [N]
+    inward: Vec  # sum of the normals of the contacts, into the obstacle
+    depth: float  # sum of their depths [m]
 
 
 class PartPush(NamedTuple):
@@ -53,6 +56,8 @@ class PartPush(NamedTuple):
     normal: float  # sum of the normal forces [N]
     touches: float  # number of contacts
     friction: Vec  # share of friction in the force [N]
+    inward: Vec  # sum of the normals of the contacts, into the other vehicle
+    depth: float  # mean of their depths [m]
 
 
 class Pushes(NamedTuple):
@@ -60,6 +65,7 @@ class Pushes(NamedTuple):
 
     arms: tuple[PartPush, ...]
     hull: tuple[PartPush, ...]  # of the main body, if it has a hull
+    strikers: tuple[float, ...]  # 1 for each part of the other vehicle that touches something
 
 
 class Engaged(NamedTuple):
@@ -95,18 +101,19 @@ class Slip(NamedTuple):
 def _of_face(met: CageContact, motion: FaceMotion, number: float) -> Reaction:
     """Share of one contact in the reaction of a body, if it is with that."""
     ours = 1.0 if motion.body == number else 0.0
-    touch = met.touch
+    touch, there = met.touch, ours * is_in_contact(met)
     return Reaction(
         ours * touch.force, ours * touch.moment, ours * touch.press.stiffness,
         ours * touch.press.damper, ours * touch.grip.alone, ours * met.per_speed,
-        ours * is_in_contact(met), ours * touch.normal, ours * touch.friction,
+        there, ours * touch.normal, ours * touch.friction, there * met.inward,
+        there * positive_part(-met.gap),
     )  # fmt: skip
 
 
 @kernel
 def _of_contact(met: CageContact, number: float) -> Reaction:
     none = Vec(0.0, 0.0, 0.0)
-    start = Reaction(none, none, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, none)
+    start = Reaction(none, none, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, none, none, 0.0)
     return fold(_summed, start, met.moving, (met, number))
 
 
@@ -174,7 +181,7 @@ def _normal_of(met: CageContact, nearest: float, touches: float) -> Vec:
 
 
 @kernel
-def touched_normal(met: tuple[CageContact, ...], nearest: float, engaged: tuple[float, ...]) -> Vec:
+def _inward(met: tuple[CageContact, ...], nearest: float, engaged: tuple[float, ...]) -> Vec:
     """Normal into the nearest obstacle if the part touches anything, else zero.
 
     Args:
@@ -243,10 +250,35 @@ def with_push(touch: ContactLoad, push: PartPush, lever: Vec, r: Mat3) -> Contac
     )  # fmt: skip
 
 
+class PartTouch(NamedTuple):
+    """What one part of a vehicle touches."""
+
+    engaged: tuple[float, ...]  # 1 for each face in contact; all, while another vehicle touches it
+    gap: float  # to what is nearest [m]
+    inward: Vec  # normal into what it touches, or zero; body axes
+
+
 @kernel
-def with_push_flag(engaged: tuple[float, ...], push: PartPush) -> tuple[float, ...]:
-    """Flags of contact of a part, all 1 while another vehicle touches it."""
-    return tree_map(larger, (engaged,), (1.0 if push.touches > 0.0 else 0.0,))
+def touch_of(met: tuple[CageContact, ...], push: tuple[PartPush, ...], r: Mat3) -> PartTouch:
+    """What a part touches.
+
+    Args:
+        met: The faces that it meets.
+        push: Of another vehicle, if there is one.
+        r: Body axes to world axes.
+    """
+    engaged, gap = tree_map(is_in_contact, (met,), ()), minimum(field_of(met, "gap"))
+    return fold(_also_pushed, PartTouch(engaged, gap, _inward(met, gap, engaged)), push, (r,))
+
+
+@kernel
+def _also_pushed(touch: PartTouch, push: PartPush, r: Mat3) -> PartTouch:
+    there = 1.0 if push.touches > 0.0 else 0.0
+    return PartTouch(
+        tree_map(larger, (touch.engaged,), (there,)),
+        smaller(touch.gap, -push.depth) if there > 0.0 else touch.gap,
+        touch.inward + push.inward @ r,
+    )
 
 
 class BodyAcceleration(NamedTuple):

@@ -110,7 +110,7 @@ def _beside_movers(flight: FlightResult) -> bool:
     """True if obstacles move, or there is a second vehicle."""
     scenario = flight.scenario
     moving = any(getattr(one, "motion", None) is not None for one in scenario.world.obstacles)
-    return moving or scenario.second is not None
+    return moving or scenario.second is not None or flight.is_second
 
 
 def _contacts(flight: FlightResult) -> list[Event]:

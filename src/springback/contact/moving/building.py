@@ -104,7 +104,7 @@ def _body(number: int, shape: MovingShape) -> MovingBody:
 
 def bodies_of(
     kind: float,
-    scenes: Sequence[SolidScene],
+    scenes: Sequence[SolidScene | None],
     reach: Sequence[float],
     mobility: Sequence[float],
     start: Sequence[BodyState],
@@ -113,7 +113,7 @@ def bodies_of(
 
     Args:
         kind: Of motion, see `springback.contact.moving.bodies`.
-        scenes: Their solids, in their own axes.
+        scenes: Their solids, in their own axes; None if nothing touches one.
         reach: See `MovingBody`, as for the others.
         mobility: Likewise.
         start: Likewise.
@@ -121,7 +121,12 @@ def bodies_of(
     given = enumerate(zip(scenes, reach, mobility, start, strict=True))
     return tuple(
         NO_BODY._replace(
-            scene=scene.table, kind=kind, number=float(k), reach=far, mobility=give, start=first
+            scene=scene.table if scene else 0.0,
+            kind=kind,
+            number=float(k),
+            reach=far,
+            mobility=give,
+            start=first,
         )
         for k, (scene, far, give, first) in given
     )

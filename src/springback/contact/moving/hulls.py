@@ -69,7 +69,7 @@ def _with_body(
     lever: Vec,
 ) -> HullFaces:
     """Faces with those of a moving obstacle; one that is far gives none."""
-    if one.kind == ABSENT:
+    if (one.kind == ABSENT) | (one.scene == 0.0):  # absent, or without solids
         return found
     away = norm(one.position + one.r @ (lever + hull.centre)) - one.reach - hull.radius
     nearest = found.first.nearest.gap

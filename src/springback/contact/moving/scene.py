@@ -152,7 +152,7 @@ def faces_of_body(s: BodySearch) -> ThreeFaces:
 @kernel
 def _with_body(found: ThreeFaces, one: BodyInBodyFrame, s: WorldSearch) -> ThreeFaces:
     """Faces with those of a moving obstacle; one that is far gives a lower bound of its gap."""
-    if one.kind == ABSENT:
+    if (one.kind == ABSENT) | (one.scene == 0.0):  # absent, or without solids
         return found
     part = s.part
     away = norm(one.position + one.r @ part.pose.lever) - one.reach - part.radius

@@ -10,7 +10,7 @@ import numpy as np
 from springback.contact.moving.scene import scene_with
 from springback.contact.obstacles import Forces
 from springback.contact.scene.faces import SolidScene
-from springback.contact.surfaces import AnyExponent, AnyTangent, Surface
+from springback.contact.surfaces import Surface
 from springback.dynamics.moving_obstacles import flown_scene
 from springback.dynamics.touches import PartPush, Pushes
 from springback.kernels.layout import Buffer, rows
@@ -41,9 +41,6 @@ from springback.simulation.pair.stepping import NoAvionics, PairSide, pair_guide
 from springback.simulation.record import Model
 from springback.simulation.ticks import GUST_NOISE, FlightLog, layouts_of
 from springback.vehicle.state import State
-
-#: Surface that is noticed and does not push.
-_SILENT = Surface(0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, AnyTangent(0.0), 1.0, -1.0, 0.0, 0.0)
 
 
 class PairedFlight(NamedTuple):
@@ -116,7 +113,7 @@ def beside_each_other(
         surface: Of the contact between both.
     """
 
-    def beside(one: PairedFlight, other: PairedFlight, surface: Surface) -> PairedFlight:
+    def beside(one: PairedFlight, other: PairedFlight, surface: Surface | None) -> PairedFlight:
         still = one.model.world.obstacles
         assert isinstance(still, SolidScene)
         bodies = carried_bodies(other.model.airframe, other.start, surface)
@@ -130,10 +127,11 @@ def beside_each_other(
         return one._replace(model=one.model._replace(world=world), start=start, avionics=avionics)
 
     still = Vec(0.0, 0.0, 0.0)
-    none = PartPush(still, still, 0.0, 0.0, still)
-    a, b = beside(first, second, surface), beside(second, first, _SILENT)
+    none = PartPush(still, still, 0.0, 0.0, still, still, 0.0)
+    a, b = beside(first, second, surface), beside(second, first, None)
     airframe = second.model.airframe
-    pushes = Pushes((none,) * len(airframe.arms), (none,) * len(airframe.hull))
+    apart = (0.0,) * len(b.start.bodies)
+    pushes = Pushes((none,) * len(airframe.arms), (none,) * len(airframe.hull), apart)
     return a, b._replace(model=b.model._replace(pushes=pushes))
 
 

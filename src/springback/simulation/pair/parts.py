@@ -78,19 +78,21 @@ def part_accelerations(
     return cages + tree_map(_hull_accelerations, (airframe.hull,), (now,))
 
 
-def carried_bodies(airframe: Airframe, state: State, surface: Surface) -> tuple[MovingBody, ...]:
+def carried_bodies(
+    airframe: Airframe, state: State, surface: Surface | None
+) -> tuple[MovingBody, ...]:
     """The parts of a vehicle as moving obstacles.
 
     Args:
         airframe: Of the vehicle.
         state: At time 0.
-        surface: Of the contact between both vehicles.
+        surface: Of the contact between both vehicles; None if nothing is to touch these.
     """
     solids = [_disc(arm.cage_radius) for arm in airframe.arms]
     solids += [_ball(hull) for hull in airframe.hull]
     give = [_mobility(airframe, arm) for arm in airframe.arms]
     give += [_mobility(airframe, None) for _ in airframe.hull]
-    scenes = [scene_of([solid], [surface]) for solid in solids]
+    scenes = [scene_of([solid], [surface]) if surface else None for solid in solids]
     reach = [float(np.linalg.norm(solid.centre)) + max(solid.half_lengths()) for solid in solids]
     return bodies_of(CARRIED, scenes, reach, give, parts_of(airframe, state))
 

@@ -1,9 +1,9 @@
 """Steps of two vehicles together: the same instants, the same lengths, the same forces.
 
 The first vehicle meets the parts of the second as moving obstacles, and their contact is computed
-there, once.  The second meets those of the first with a surface that does not push, so that it
-knows when it is touched, and gets the opposite forces: momentum is kept to rounding.  At each stage
-of a step the parts of each are where they are at that stage.  While neither can touch anything,
+there, once.  The second gets the opposite forces, so that momentum is kept to rounding, and is told
+where and how deep it is touched.  At each stage of a step the parts of each are where they are at
+that stage.  While neither can touch anything,
 each takes steps as one rigid body.
 """
 
@@ -14,11 +14,11 @@ from typing import Any, NamedTuple
 
 from springback.contact.moving.bodies import BodyAccelerations, MovingBody
 from springback.dynamics.clearance import HASTE, has_room
-from springback.dynamics.motion import Engaged, Rates
+from springback.dynamics.motion import ArmView, Engaged, HullView, Rates, View
 from springback.dynamics.touches import PartPush
 from springback.kernels.compiler import Origin, executor, kernel, user_executor, with_globals
 from springback.kernels.layout import Buffer, TreeLayout, read, row_of, write
-from springback.kernels.trees import field_of, replace, tree_map
+from springback.kernels.trees import field_of, maximum, replace, tree_map
 from springback.kernels.vectors import Mat3, rotation
 from springback.simulation.executor import (
     REACH,
@@ -91,17 +91,35 @@ def _kept(push: PartPush, r: Mat3) -> PartPush:
     Within a step the quaternion is not quite of length 1, so that r rᵀ is not quite 1.
     """
     force, moment, friction = push.force, push.moment, push.friction
-    return PartPush(
-        2.0 * force - r @ (force @ r), 2.0 * moment - r @ (moment @ r), push.normal, push.touches,
-        2.0 * friction - r @ (friction @ r),
-    )  # fmt: skip
+    return replace(
+        push,
+        force=2.0 * force - r @ (force @ r),
+        moment=2.0 * moment - r @ (moment @ r),
+        friction=2.0 * friction - r @ (friction @ r),
+    )
 
 
 @kernel
-def _with_pushes(shape: TreeLayout, b: Buffer, pushes: tuple[PartPush, ...], reach: float) -> None:
-    """Write the pushes of the first vehicle at a stage into the model of the second."""
+def _touches(part: ArmView | HullView) -> float:
+    return maximum(part.engaged)
+
+
+@kernel
+def _with_pushes(shape: TreeLayout, b: Buffer, seen: View, reach: float) -> None:
+    """Write what the first vehicle does at a stage into the model of the second.
+
+    Args:
+        shape: Layout of the buffer of the second.
+        b: That buffer.
+        seen: By the first.
+        reach: Of the stage.
+    """
     r = rotation(stage_state(shape, b, 1, 0, reach).attitude)
-    write(tree_map(_kept, (pushes,), (r,)), b, row_of(shape.model, "pushes"), 1, 0)
+    row = row_of(shape.model, "pushes")
+    pushes = shape.model.pushes
+    write(tree_map(_kept, (field_of(seen.bodies, "push"),), (r,)), b, row, 1, 0)
+    touching = tree_map(_touches, (seen.arms,), ()) + tree_map(_touches, (seen.hull,), ())
+    write(touching, b, row + row_of(pushes, "strikers"), 1, 0)
 
 
 @executor(nogil=True)
@@ -115,8 +133,7 @@ def begin_both(
     _with_parts(second, b, first, a, 0.0)
     _with_accelerations(first, a, second, b)
     begin_step(first, a, 1)
-    seen = read(first.seen, a, at.seen, 1, 0)
-    _with_pushes(second, b, field_of(seen.bodies, "push"), 0.0)
+    _with_pushes(second, b, read(first.seen, a, at.seen, 1, 0), 0.0)
     begin_step(second, b, 1)
     h = a[at.step] if a[at.step] < b[to.step] else b[to.step]
     _shorten(first, a, h)
@@ -146,7 +163,7 @@ def stage_of_both(
     _with_parts(first, a, second, b, reach)
     _with_parts(second, b, first, a, reach)
     known = _stage_rates(first, a, reach)
-    _with_pushes(second, b, field_of(known.seen.bodies, "push"), reach)
+    _with_pushes(second, b, known.seen, reach)
     pushed = _stage_rates(second, b, reach)
     add_rates(first, a, 1, 0, known.motion, weight)
     add_rates(second, b, 1, 0, pushed.motion, weight)
