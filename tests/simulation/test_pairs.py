@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 from builders.cases import nonempty
+from builders.user_pilots import before_a_wall, pilot_file
 from springback.batch.pair import PairOfFlights, fly_pair
 from springback.contact.parameters import SurfaceSettings
 from springback.errors import InputError
 from springback.results.flight import fly
 from springback.results.measures import FlightMeasures
+from springback.scenario.scenario import scenario_from
+from springback.simulation.pair.stepping import NoAvionics, pair_guide
 
 SURFACE = SurfaceSettings(law="hunt-crossley", stiffness=7e4, dissipation=0.3, friction=0.5)
 
@@ -152,6 +156,19 @@ def test_what_cannot_fly_together_is_refused(what: str) -> None:
     changes, words = WRONG[what]
     with pytest.raises(InputError, match=words):
         fly_pair(tables(0.0, 1.0), tables(0.7, 0.0, **changes))
+
+
+def test_an_own_pilot_beside_another_vehicle_is_not_cached_with_the_package(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Else a changed file would fly as it was compiled first."""
+    monkeypatch.setenv("SPRINGBACK_TRUST", str(tmp_path))
+    built = scenario_from(before_a_wall(f"{pilot_file(tmp_path)}:guard")).build()
+    assert built.built_avionics is not None
+    own = pair_guide(built.built_avionics.avionics, NoAvionics(1e-3))
+    package = pair_guide(NoAvionics(1e-3), NoAvionics(1e-3))
+    assert own is not package
+    assert own._cache.cache_path != package._cache.cache_path
 
 
 def test_far_apart_each_flies_as_if_it_were_alone() -> None:
