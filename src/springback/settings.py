@@ -45,11 +45,13 @@ def problem(message: str, field: str = "") -> PydanticCustomError:
 
 @contextlib.contextmanager
 def naming(field: str) -> Iterator[None]:
-    """Name the key in problems of checks that do not know it."""
+    """Name the key in problems of checks that do not know it, or only its last part."""
     try:
         yield
     except PydanticCustomError as error:
-        raise problem(error.message(), field) from None
+        inner = str((error.context or {}).get("field", ""))
+        below = inner and not inner.startswith(field)
+        raise problem(error.message(), f"{field}.{inner}" if below else field) from None
 
 
 #: Most characters of a name (chosen: it is used in titles, columns and file names).

@@ -13,15 +13,13 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from springback.contact.grids.measured_shapes import FormShape
 from springback.contact.moving.building import MovingShape, moving_scene
 from springback.contact.moving.scene import MovingScene
-from springback.contact.nets import Net
 from springback.contact.obstacles import Obstacle, Plane, SecondContact
 from springback.contact.parameters import Ground, Mat, SurfaceSettings, Wall, faces
 from springback.contact.scene.faces import SolidScene
 from springback.contact.scene.table import MOST_SOLIDS, Solid, scene_of
-from springback.contact.shapes import ShapeSettings, SolidShape, half_space
+from springback.contact.shapes import ShapeSettings, SolidPart, half_space
 from springback.contact.surfaces import AnyExponent, Linear, ThreeHalves
 from springback.contact.unions import ShapeUnion, SingleShape
 from springback.kernels.routines import NumberTable
@@ -119,14 +117,9 @@ def _moving_scene(
         )
     moving = []
     for k, entry in zip(numbers, settings, strict=True):
-        if isinstance(entry, FormShape | Net | ShapeUnion) and _moves(entry):
-            what = f"is not possible for obstacles of type {entry.type}"
-            raise problem(what, f"world.obstacles[{k}].motion")
         if isinstance(entry, Wall | ShapeSettings) and _moves(entry):
-            law = entry.law() if isinstance(entry, ShapeSettings) else entry.surface
-            surface = law.surface(AnyExponent, by_number=True)
-            moving.append(MovingShape(_solids_alone(entry), surface, entry.motion, k))
-    if any(one.surface.presliding > 0.0 for one in moving):
+            moving.append(MovingShape(_parts_of(entry), entry.motion, k))
+    if any(surface.presliding > 0.0 for one in moving for surface in one.surfaces):
         still = still._replace(bristles=1.0)
     return moving_scene(still, moving)
 
@@ -142,11 +135,11 @@ def surfaces_of(entry: BuiltIn) -> list[SurfaceSettings]:
     return [entry.surface, entry.backing] if isinstance(entry, Mat) else [entry.surface]
 
 
-def _solids_alone(entry: Wall | ShapeSettings) -> list[SolidShape]:
+def _parts_of(entry: Wall | ShapeSettings) -> list[SolidPart]:
     if isinstance(entry, ShapeSettings):
-        return entry.bodies()
-    [(plane, _, _)] = faces(entry)
-    return [half_space(plane.normal, plane.offset)]
+        return entry.parts()
+    [(plane, law, _)] = faces(entry)
+    return [SolidPart(half_space(plane.normal, plane.offset), law)]
 
 
 def _own_faces(own: Sequence[Own]) -> list[tuple[Any, SurfaceSettings, float]]:

@@ -29,10 +29,10 @@ from springback.contact.moving.parameters import (
 )
 from springback.contact.moving.scene import MovingScene, scene_with
 from springback.contact.scene.faces import FACES, SolidScene
-from springback.contact.scene.solids import CAPSULE, FRUSTUM, HALF_SPACE, TORUS
+from springback.contact.scene.solids import CAPSULE, FRUSTUM, GRID, HALF_SPACE, HEIGHTS, TORUS
 from springback.contact.scene.table import ENDLESS, Solid, scene_of
-from springback.contact.shapes import SolidShape
-from springback.contact.surfaces import Surface
+from springback.contact.shapes import SolidPart, SolidShape
+from springback.contact.surfaces import AnyExponent, Surface
 from springback.kernels.routines import NumberTable
 from springback.kernels.vectors import Mat3, Quat, Vec
 from springback.settings import naming, problem
@@ -51,12 +51,21 @@ _NONE = Vec(0.0, 0.0, 0.0)
 
 
 class MovingShape(NamedTuple):
-    """An obstacle that moves: its solids where it is at time 0, its surface and its motion."""
+    """An obstacle that moves."""
 
-    solids: list[SolidShape]
-    surface: Surface
+    parts: list[SolidPart]  # its solids where they are at time 0
     motion: Any
     obstacle: int  # its number in the world, from 0
+
+    @property
+    def solids(self) -> list[SolidShape]:
+        """Its solids, without surfaces."""
+        return [part.body for part in self.parts]
+
+    @property
+    def surfaces(self) -> list[Surface]:
+        """Surface of each solid."""
+        return [part.surface.surface(AnyExponent, by_number=True) for part in self.parts]
 
 
 def moving_scene(still: SolidScene, moving: Sequence[MovingShape]) -> MovingScene:
@@ -77,10 +86,12 @@ def moving_scene(still: SolidScene, moving: Sequence[MovingShape]) -> MovingScen
 
 
 def _scene_about(shape: MovingShape, origin: Array) -> SolidScene:
+    surfaces = list(dict.fromkeys(shape.surfaces))
     solids = [
-        Solid(*body._replace(centre=body.centre - origin), 0, 0.0, 0) for body in shape.solids
+        Solid(*body._replace(centre=body.centre - origin), surfaces.index(surface), 0.0, 0)
+        for body, surface in zip(shape.solids, shape.surfaces, strict=True)
     ]
-    return scene_of(solids, [shape.surface])
+    return scene_of(solids, surfaces)
 
 
 def _state(**known: Any) -> BodyState:
@@ -93,7 +104,7 @@ def _absent(number: int) -> MovingBody:
 
 def _body(number: int, shape: MovingShape) -> MovingBody:
     motion = shape.motion
-    if shape.surface.restitution >= 0.0:
+    if any(surface.restitution >= 0.0 for surface in shape.surfaces):
         raise problem("cannot be combined with a surface of law impulse")
     if isinstance(motion, FreeMotion | PendulumMotion | HingeMotion):
         body = _with_mass(shape)
@@ -180,6 +191,12 @@ def _spline(motion: TableMotion) -> NumberTable:
 
 def _with_mass(shape: MovingShape) -> MovingBody:
     motion = shape.motion
+    if any(solid.kind in (GRID, HEIGHTS) for solid in shape.solids):
+        raise problem(
+            "must be constant, sine or table for a form from a file: what it touches with is not "
+            f"known (got {motion.type!r})",
+            "type",
+        )
     known = None if _is_endless(shape.solids) else mass_properties(shape.solids)
     if _is_endless(shape.solids):
         raise problem("needs an obstacle with an end, whose mass is known", "type")
