@@ -287,6 +287,18 @@ def test_overrides_are_blamed_for_what_they_set(
     assert said_of_it in said
 
 
+def test_an_override_that_moves_an_obstacle_onto_the_start_is_blamed(tmp_path: Path) -> None:
+    """The field is the start's, which nobody changed: the obstacle and the override are named."""
+    path = tmp_path / "scenario.toml"
+    path.write_text(GOOD)
+    word = "world.obstacles.0.distance=2.3"
+    said = problem_of(path, "vehicle.name=other", word)
+    assert said.startswith(f"override {word}: start.position: puts the cage of arm ")
+    assert "inside world.obstacles[0], a wall (got [2.2, 0.0, 1.0] m)" in said
+    here = "start.position.0=2.6"  # the start's own override is at fault first
+    assert problem_of(path, here, "world.obstacles.0.surface=mat").startswith(f"override {here}: ")
+
+
 @pytest.mark.parametrize(
     "word",
     ["novalue", "=3", "world.obstacles[5].distance=3", "world.gravity.x=3", "start.position[7]=2"],

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import itertools
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
@@ -24,7 +24,7 @@ from springback.contact.obstacles import Plane, signed_distance
 from springback.contact.parameters import SurfaceSettings, faces
 from springback.contact.scene.faces import SolidScene, distance_of
 from springback.contact.shapes import Box, ShapeSettings
-from springback.contact.worlds import obstacles
+from springback.contact.worlds import Own, obstacles
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.routines import routines_compiled
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
@@ -238,7 +238,6 @@ def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
     """Reject a start inside an obstacle."""
     if is_clear(model, state):
         return
-    parts = [f"cage of arm {j}" for j in range(1, len(model.airframe.arms) + 1)] + ["main body"]
     whole = model.world.obstacles
     if (
         isinstance(whole, SolidScene | MovingScene)
@@ -246,13 +245,33 @@ def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
     ):
         return  # else look for the one
     for name, one in _one_by_one(scenario, model, state):
-        for part, gap in zip(parts, _gaps_of(one, model, state), strict=False):
-            if gap < -LANDED:
-                raise problem(
-                    f"puts the {part} {-gap:.3g} m inside {name} "
-                    f"(got {list(scenario.start.position)} m)",
-                    "start.position",
-                )
+        _refuse_inside(name, one, scenario, model, state)
+
+
+def check_start_beside(
+    scenario: ScenarioTables, model: Model, state: State, own: Iterable[tuple[str, Own]]
+) -> None:
+    """Reject a start inside one of the user's own obstacles, each with its name."""
+    hulled = bool(scenario.vehicle.hulls)
+    for name, one in own:
+        alone = obstacles((), (one,), as_scene=hulled)
+        what = f"{name.removesuffix('.shape')}, a {type(one[0]).__name__}"
+        whole = with_hulls(alone, RING_ROUNDING) if hulled else alone
+        _refuse_inside(what, whole, scenario, model, state)
+
+
+def _refuse_inside(
+    name: str, one: Any, scenario: ScenarioTables, model: Model, state: State
+) -> None:
+    """Reject a start inside some obstacles, with their name."""
+    parts = [f"cage of arm {j}" for j in range(1, len(model.airframe.arms) + 1)] + ["main body"]
+    for part, gap in zip(parts, _gaps_of(one, model, state), strict=False):
+        if gap < -LANDED:
+            raise problem(
+                f"puts the {part} {-gap:.3g} m inside {name} "
+                f"(got {list(scenario.start.position)} m)",
+                "start.position",
+            )
 
 
 def _one_by_one(scenario: ScenarioTables, model: Model, state: State) -> Iterator[tuple[str, Any]]:

@@ -34,7 +34,7 @@ def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: O
     from springback.interfaces.output.folders import SUMMARY
     from springback.interfaces.reports.flight_files import FLIGHT_FILES, write_flight
     from springback.results.flight import fly as fly_scenario
-    from springback.scenario.files import read_scenario
+    from springback.scenario.files import as_input, read_scenario
     from springback.scenario.user.pilots import read_pilot
     from springback.scenario.warnings import scenario_warnings
 
@@ -44,7 +44,10 @@ def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: O
         say(f"warning: {sentence}")
     with output.folder(FLIGHT_FILES) as folder:
         with output.spinner(FIRST):
-            with warnings.catch_warnings():  # printed below, in the format of this program
+            with (
+                as_input(scenario, overrides),
+                warnings.catch_warnings(),
+            ):  # printed below, in the format of this program
                 warnings.simplefilter("ignore", FlightWarning)
                 flight = fly_scenario(ready, pilot=own)
             written = write_flight(flight, folder, figures=output.wants_figures())
