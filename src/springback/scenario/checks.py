@@ -44,6 +44,7 @@ from springback.scenario.tables import (
     UserShape,
 )
 from springback.scenario.worlds.imported import Imported, single_obstacles
+from springback.scenario.worlds.mesh_check import check_meshes, size_words
 from springback.sensing.parameters import SensorSettings
 from springback.settings import problem
 from springback.simulation.pair.parts import EDGE, HEIGHT
@@ -68,6 +69,7 @@ def check_tables(scenario: ScenarioTables, build: Build = plain_build) -> None:
     s = scenario
     check_reference(s)
     check_hulls(s)
+    check_meshes(s.world.obstacles)
     thrust = build(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
     check_slider(s)
     body = build(true_body, s.vehicle, s.model_error, s.payload, build)
@@ -293,9 +295,10 @@ def _named(scenario: ScenarioTables) -> Iterator[tuple[str, Any]]:
     for k, entry in enumerate(scenario.world.obstacles):
         if isinstance(entry, Imported):
             for part in entry.parts:
-                yield f"world.obstacles[{k}], {part.name}, a {part.obstacle.type}", part.obstacle
+                what = f"a {part.obstacle.type}{size_words(part.obstacle)}"
+                yield f"world.obstacles[{k}], {part.name}, {what}", part.obstacle
         else:
-            yield f"world.obstacles[{k}], a {entry.type}", entry
+            yield f"world.obstacles[{k}], a {entry.type}{size_words(entry)}", entry
 
 
 def _is_far(one: Any, place: Vec, reach: float) -> bool:

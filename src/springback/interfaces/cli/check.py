@@ -36,9 +36,9 @@ def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
     KEY=VALUE are arguments of a function that returns one.
 
     The distance and the normal of an obstacle are sampled wherever its surface is, looked for from
-    the start of the SCENARIO (by default [0, 0, 1] m), from all sides, inside and outside: a distance that is overstated, that does not grow by
-    1 m a metre or is no number, a normal that is not 1 long or not the gradient. NAME is a shape,
-    or its type with KEY=VALUE for its fields.
+    the start of the SCENARIO (by default [0, 0, 1] m), from all sides, inside and outside: a
+    distance that is overstated, that does not grow by 1 m a metre or is no number, a normal that is
+    not 1 long or not the gradient. NAME is a shape, or its type with KEY=VALUE for its fields.
 
     An estimator or a detector flies the SCENARIO within springback's pilot: by default quad hovers
     by the estimates, which must be near the truth, or flies into a wall at 2 m/s, which the
