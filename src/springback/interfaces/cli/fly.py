@@ -32,6 +32,7 @@ def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: O
     springback fly scenario.toml second=other.toml --out results
     """
     from springback.interfaces.output.folders import SUMMARY
+    from springback.interfaces.output.untouched import untouched_flight
     from springback.interfaces.reports.flight_files import FLIGHT_FILES, write_flight
     from springback.results.flight import fly as fly_scenario
     from springback.scenario.files import as_input, read_scenario
@@ -54,6 +55,8 @@ def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: O
         summary = (folder / SUMMARY).read_text(encoding="utf-8")
     flights = [one for one in (flight, flight.second) if one is not None]
     output.print(json.loads(summary), "\n".join(map(repr, flights)))
+    if line := untouched_flight(flight, own is not None):
+        output.note(line)
     output.note_written(written)
     for sentence in (line for one in flights for line in one.remarks.values()):
         say(f"warning: {sentence}")
