@@ -21,7 +21,8 @@ UNNAMED = str(SecondVehicle.model_fields["name"].default)
 def labels_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> list[str]:
     """Labels that distinguish flights: robots, else scenarios, else folders, else numbers.
 
-    Two vehicles in one world go by the names that their scenario gives them, if it does.  Folders of the same name are given with as many folders above them as distinguish them.
+    Two vehicles in one world go by the names that their scenario gives them, if it does.  Folders
+    of the same name are given with as many folders above them as distinguish them.
 
     Args:
         flights: Flights shown side by side.
