@@ -509,6 +509,8 @@ def test_sliders_move_and_soften_the_second_vehicle(tmp_path: Path) -> None:
         table, second_speed=2.0, second_y=0.3, second_yaw=-90.0, second_stiffness="3 N/mm"
     )
     found, given = lab_scenario(moved, "mine"), read_scenario(path)
+    hovers = ('reference={ type = "hold", position = [0, 0, 1] }', "start.position=[0, 0, 1]")
+    assert table_of(path, *hovers)().mode == "file"  # an impact would have one vehicle
     assert (found.vehicle, found.start, found.world) == (given.vehicle, given.start, given.world)
     assert found.name.endswith("waits, changed")
     assert found.second is not None

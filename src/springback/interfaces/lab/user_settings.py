@@ -57,7 +57,7 @@ def _modes(user: UserScenario) -> Any:
         "As in file: your start, walls and pilot. Impact: the collision alone, straight into one "
         "wall with constant thrust. Flight: run-up, collision and recovery, with our pilot."
     )
-    default = "impact" if user.is_piloted else "file"
+    default = "impact" if user.is_piloted and user.scenario.second is None else "file"
     return Annotated[str, ChoiceControl("Fly", words, explains)], default
 
 
