@@ -89,7 +89,7 @@ def _wants_json() -> bool:
 def _refuse(problems: Sequence[str]) -> NoReturn:
     """Exit for invalid input, with a line for each problem; as JSON on stdout, too, if wanted."""
     if _wants_json():
-        from springback.interfaces.output.problem_json import problem_data
+        from springback.interfaces.output.json_problems import problem_data
 
         click.echo(json.dumps(problem_data(problems), indent=2))
     for line in problems:

@@ -136,8 +136,8 @@ def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> 
 
 
 def _report(flown: Any, output: Output) -> None:
+    from springback.interfaces.output.no_contact import untouched_line
     from springback.interfaces.output.tables import as_text
-    from springback.interfaces.output.untouched import untouched_line
 
     sql = "SELECT robot, outcome, count(*) AS flights FROM flights GROUP BY ALL ORDER BY ALL"
     answer = flown.query(sql)

@@ -32,7 +32,7 @@ def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: O
     springback fly scenario.toml second=other.toml --out results
     """
     from springback.interfaces.output.folders import SUMMARY
-    from springback.interfaces.output.untouched import untouched_flight
+    from springback.interfaces.output.no_contact import untouched_flight
     from springback.interfaces.reports.flight_files import FLIGHT_FILES, write_flight
     from springback.results.flight import fly as fly_scenario
     from springback.scenario.files import as_input, read_scenario

@@ -10,8 +10,8 @@ from springback.campaign.analysis.levels import FieldSummary
 from springback.campaign.analysis.statistics import Summary
 from springback.campaign.analysis.worst_case import WorstCase, WorstCaseMap
 from springback.files import write_json
+from springback.interfaces.output.no_contact import untouched_line
 from springback.interfaces.output.tables import as_text
-from springback.interfaces.output.untouched import untouched_line
 from springback.interfaces.output.worst_case import answer_lines, answer_table
 from springback.interfaces.reports.measures import MeasureReport, measure_report
 from springback.interfaces.reports.outcomes import (

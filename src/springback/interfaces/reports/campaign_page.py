@@ -19,8 +19,8 @@ from springback.interfaces.figures import campaign as figures
 from springback.interfaces.figures import measures as measure_figures
 from springback.interfaces.figures import style
 from springback.interfaces.figures.worst_case import worst_case_figure, worst_case_map_figure
+from springback.interfaces.output.no_contact import untouched_line
 from springback.interfaces.output.robots import robot_label, with_labels
-from springback.interfaces.output.untouched import untouched_line
 from springback.interfaces.output.worst_case import answer_lines, answer_table
 from springback.interfaces.reports.measures import MeasureReport
 from springback.interfaces.reports.outcomes import (

@@ -14,7 +14,7 @@ from springback.campaign.access import Campaign
 from springback.campaign.analysis.statistics import summary
 from springback.campaign.design.layout import lay_out
 from springback.campaign.store import open_store
-from springback.interfaces.output.untouched import untouched_flight, untouched_line
+from springback.interfaces.output.no_contact import untouched_flight, untouched_line
 from springback.interfaces.reports.campaign import summary_text, write_summary
 
 SHORT = {**THROW, "simulation": {"duration": 0.01}}
