@@ -2,12 +2,32 @@
 
 from __future__ import annotations
 
+import difflib
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from pydantic import ValidationError
 
 from springback.errors import excerpt, shown_value
+
+#: Smallest similarity of a word to a suggestion, from 0 to 1 (chosen: foo is not robot).
+LIKE = 0.6
+#: Smallest number of letters that identify a name by its beginning (chosen).
+SHORTEST = 3
+
+
+def nearest_name(word: str, known: Iterable[str]) -> str:
+    """Known name that a word most likely stands for, or empty.
+
+    Args:
+        word: A misspelt name, or the beginning of one.
+        known: Known names.
+    """
+    names = list(known)
+    near = difflib.get_close_matches(word.lower(), names, n=1, cutoff=LIKE)
+    begun = [name for name in names if len(word) >= SHORTEST and name.startswith(word.lower())]
+    return next(iter([*near, *begun]), "")
+
 
 #: Types of tables that have several, by key.
 _KINDS = {
@@ -67,6 +87,12 @@ def _choice(words: Sequence[str]) -> str:
     return f"{', '.join(words[:-1])} or {words[-1]}"
 
 
+def _meant(given: object, known: Iterable[str]) -> str:
+    """Question for the known word that another one most likely stands for, or empty."""
+    near = nearest_name(given, known) if isinstance(given, str) else ""
+    return f"; did you mean {near}?" if near else ""
+
+
 def _without_kinds(where: tuple[str | int, ...]) -> tuple[str | int, ...]:
     """Path without the names of types, which are not keys."""
     path: list[str | int] = []
@@ -92,7 +118,11 @@ def problem_paths(error: ValidationError) -> list[tuple[tuple[str | int, ...], s
             path, message = (*path, "type"), f"is missing; {_choice(kinds)}"
         elif detail["type"] == "union_tag_invalid":
             tag = detail["ctx"]["tag"]
-            path, message = (*path, "type"), f"must be {_choice(kinds)} (got {shown_value(tag)})"
+            said = f"must be {_choice(kinds)} (got {shown_value(tag)}){_meant(tag, kinds)}"
+            path, message = (*path, "type"), said
+        elif detail["type"] == "literal_error":
+            given, known = detail["input"], re.findall(r"'([^']*)'", detail["ctx"]["expected"])
+            message = f"{message} (got {shown_value(given)}){_meant(given, known)}"
         elif detail["type"] in ("model_type", "model_attributes_type", "dict_type"):
             message = f"must be a table (got {shown_value(detail['input'])})"
         elif detail["type"] == "tuple_type":

@@ -3,39 +3,19 @@
 from __future__ import annotations
 
 import contextlib
-import difflib
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Annotated, Any, Self
 
 from pydantic import AfterValidator, BaseModel, ConfigDict, ValidationError, model_validator
 from pydantic_core import PydanticCustomError
 
 from springback.errors import InputError, excerpt, shown_value
-from springback.problems import dotted_path, problem_paths
+from springback.problems import dotted_path, nearest_name, problem_paths
 
 if TYPE_CHECKING:
     from pydantic._internal._model_construction import ModelMetaclass
 else:
     ModelMetaclass = type(BaseModel)
-
-
-#: Smallest similarity of a word to a suggestion, from 0 to 1 (chosen: foo is not robot).
-LIKE = 0.6
-#: Smallest number of letters that identify a name by its beginning (chosen).
-SHORTEST = 3
-
-
-def nearest_name(word: str, known: Iterable[str]) -> str:
-    """Known name that a word most likely stands for, or empty.
-
-    Args:
-        word: A misspelt name, or the beginning of one.
-        known: Known names.
-    """
-    names = list(known)
-    near = difflib.get_close_matches(word.lower(), names, n=1, cutoff=LIKE)
-    begun = [name for name in names if len(word) >= SHORTEST and name.startswith(word.lower())]
-    return next(iter([*near, *begun]), "")
 
 
 def problem(message: str, field: str = "") -> PydanticCustomError:

@@ -67,10 +67,12 @@ def test_what_is_no_file_of_text(tmp_path: Path) -> None:
     pipe = tmp_path / "pipe.toml"
     os.mkfifo(pipe)
     assert "not a regular file" in said(pipe)
+    assert said(pipe).count(str(pipe)) == 1
     large = tmp_path / "large.toml"
     with large.open("wb") as file:
         file.truncate(MOST_BYTES + 1)
     assert "too large, 8 MB" in said(large)
+    assert said(large).count(str(large)) == 1
     assert "cannot be read" in said(tmp_path / ("x" * 300))
     assert "cannot be read" in said(Path("a\0b"))
 

@@ -137,7 +137,27 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
     ),
     "unknown law": (
         WALL, 'surface = { preset = "wall", law = "hunt" }', "world.obstacles[0].surface.law",
-        ("hunt-crossley", "'hunt'"),
+        ("hunt-crossley", "'hunt'", "did you mean hunt-crossley?"),
+    ),
+    "misspelt obstacle": (
+        KIND, 'type = "waal"', "world.obstacles[0].type", ("'waal'", "did you mean wall?"),
+    ),
+    "misspelt motion": (
+        'type = "wall"\ndistance = "2.75 m"',
+        'type = "sphere"\nposition = [2.75, 0, 1]\nradius = 0.2\nmotion = { type = "sinus" }',
+        "world.obstacles[0].motion.type", ("'sinus'", "did you mean sine?"),
+    ),
+    "misspelt hull": (
+        STROKE, 'stroke = "50 mm"\n[[vehicle.hulls]]\ntype = "spher"', "vehicle.hulls[0].type",
+        ("'spher'", "did you mean sphere?"),
+    ),
+    "misspelt reference": (
+        "[simulation]", '[reference]\ntype = "runup"\n[simulation]', "reference.type",
+        ("'runup'", "did you mean run-up?"),
+    ),
+    "misspelt choice": (
+        "[simulation]", '[model]\narms = "hybird"\n[simulation]', "model.arms",
+        ("'hybird'", "did you mean hybrid?"),
     ),
     "sticky surface": (
         WALL, 'surface = { preset = "wall", friction = -1 }', "world.obstacles[0].surface.friction",
@@ -265,6 +285,18 @@ def test_overrides_are_blamed_for_what_they_set(
     said = problem_of(path, "vehicle.name=other", word)
     assert said.startswith(f"override {word}: {field}: " if field else f"override {word}: ")
     assert said_of_it in said
+
+
+def test_an_override_that_moves_an_obstacle_onto_the_start_is_blamed(tmp_path: Path) -> None:
+    """The field is the start's, which nobody changed: the obstacle and the override are named."""
+    path = tmp_path / "scenario.toml"
+    path.write_text(GOOD)
+    word = "world.obstacles.0.distance=2.3"
+    said = problem_of(path, "vehicle.name=other", word)
+    assert said.startswith(f"override {word}: start.position: puts the cage of arm ")
+    assert "inside world.obstacles[0], a wall (got [2.2, 0.0, 1.0] m)" in said
+    here = "start.position.0=2.6"  # the start's own override is at fault first
+    assert problem_of(path, here, "world.obstacles.0.surface=mat").startswith(f"override {here}: ")
 
 
 @pytest.mark.parametrize(
@@ -421,7 +453,7 @@ CALLS = {
     "scenario": (lambda: fly(3), r"scenario must be a Scenario, tables, or .* \(got 3\)"),
     "plan": (
         lambda: springback.Plan(scenario={"vehicle": "arq"}, method="sobool"),
-        r"^method: must be .*'sobol'.*\(got 'sobool'\)$",
+        r"^method: must be .*'sobol'.*\(got 'sobool'\); did you mean sobol\?$",
     ),
     "wall": (
         lambda: springback.Wall(type="wall", distance=1.0, surface=3), r"^surface: must be a table",

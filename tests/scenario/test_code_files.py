@@ -256,3 +256,28 @@ def test_a_vehicle_is_read_from_its_file(folder: Path) -> None:
         (folder / "in_table.toml").write_text(text + "\n")
         with pytest.raises(InputError, match=said):
             read_scenario(folder / "flight.toml")
+
+
+def test_an_error_of_an_own_obstacle_names_its_entry_and_the_file(folder: Path) -> None:
+    """Counted from 0 as everywhere, with the line of the scenario, or the override at fault."""
+    (folder / "bad.py").write_text(FILE.replace("Vec(-1.0, 0.0, 0.0)", "Vec(-2.0, 0.0, 0.0)"))
+    path = _file(
+        folder,
+        "[[world.obstacles]]", 'type = "ground"', 'surface = "wall"',
+        "[[world.obstacles]]", 'type = "own"', 'surface = "wall"', 'shape = "bad.py:wall"',
+        "parameters = { x = 2.75 }", "[start]", "position = [2, 0, 1]",
+    )  # fmt: skip
+    with pytest.raises(InputError) as refused:
+        springback.fly(path)
+    [line] = refused.value.problems
+    assert line.startswith(f"{path}:8: world.obstacles[1].shape, Plane: outward_normal at ")
+    with pytest.raises(
+        InputError, match=r"^override world.obstacles.1.parameters.y=3: .*\[1\]\.par"
+    ):
+        springback.fly(path, "world.obstacles.1.parameters.y=3")
+    near = "world.obstacles.1.parameters={ x = 2.1 }"
+    with pytest.raises(InputError) as refused:
+        springback.fly(path, f"world.obstacles.1.shape={folder}/mine.py:wall", near)
+    [line] = refused.value.problems
+    assert line.startswith(f"override {near}: start.position: puts the cage of arm ")
+    assert "inside world.obstacles[1], a Plane (got [2.0, 0.0, 1.0] m)" in line

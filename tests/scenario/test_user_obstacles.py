@@ -114,7 +114,7 @@ def test_what_is_wrong_is_refused(shape: Any, words: tuple[str, ...]) -> None:
     with pytest.raises(InputError) as caught:
         fly(SCENARIO, own=[(Pole(9.0, 9.0, 0.1), WALL), (shape, WALL)], executor="python")
     said = str(caught.value)
-    assert said.startswith("own obstacle 2, Face: ")
+    assert said.startswith("own[1], Face: ")
     for word in words:
         assert word in said
 
@@ -160,7 +160,7 @@ def test_it_costs_milliseconds_once() -> None:
 @pytest.mark.parametrize("entry", [3, (RIGHT,), (RIGHT, "wall"), (object(), WALL), None])
 def test_what_is_no_obstacle_is_refused(entry: Any) -> None:
     """A pair is asked for, in words."""
-    with pytest.raises(InputError, match="own obstacle 1: must be a pair"):
+    with pytest.raises(InputError, match=r"own\[0\]: must be a pair"):
         fly(SCENARIO, own=[entry], executor="python")
 
 
@@ -172,5 +172,5 @@ class Nothing(NamedTuple):
 
 def test_errors_of_the_users_functions_are_told_with_their_place() -> None:
     """A shape without functions, in one line."""
-    with pytest.raises(InputError, match=r"own obstacle 1, Nothing: .*has no signed_distance"):
+    with pytest.raises(InputError, match=r"own\[0\], Nothing: .*has no signed_distance"):
         fly(SCENARIO, own=[(Nothing(1.0), WALL)], executor="python")

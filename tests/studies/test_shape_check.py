@@ -8,7 +8,7 @@ import pytest
 
 from builders.user_obstacles import Ball, Box, Pole, pole_distance, pole_normal
 from springback.contact.obstacles import outward_normal, signed_distance
-from springback.kernels.vectors import Vec
+from springback.kernels.vectors import Vec, norm
 from springback.studies.shape_check import check_shape
 
 START = Vec(0.0, 0.0, 1.0)
@@ -39,11 +39,26 @@ DISTANCES: list[Callable[[Any, Vec], Any]] = [
     lambda pole, point: 0.3 * pole_distance(pole, point),
     lambda pole, point: math.nan if point.x > 2.2 else pole_distance(pole, point),
     lambda pole, point: 1.0 / (point.x - point.x),
+    lambda pole, point: (
+        pole_distance(pole, point) * (1.0 if pole_distance(pole, point) > 0.0 else 0.3)
+    ),
 ]
 NORMALS: list[Callable[[Any, Vec], Vec]] = [
     lambda pole, point: pole_normal(pole, point) * (1.1 if point.x > 2.0 else 1.0),
     lambda pole, point: pole_normal(pole, point) * (-1.0 if point.x > 2.0 else 1.0),
+    lambda pole, point: pole_normal(pole, point) * (1.1 if abs(point.z - 3.0) < 0.9 else 1.0),
+    lambda pole, point: _near_only(pole, point, Vec(1.0, 0.0, 0.0)),
+    lambda pole, point: pole_normal(pole, point) * (norm(pole_from(pole, point)) / pole.radius),
 ]
+
+
+def pole_from(pole: Any, point: Vec) -> Vec:
+    return Vec(point.x - pole.x, point.y - pole.y, 0.0)
+
+
+def _near_only(pole: Any, point: Vec, elsewhere: Vec) -> Vec:
+    """The normal on the surface, and another one beside it."""
+    return pole_normal(pole, point) if abs(pole_distance(pole, point)) < 1e-5 else elsewhere
 
 
 @signed_distance.register(Wrong)
@@ -66,8 +81,12 @@ def _(pole: Wrong, point: Vec) -> Any:
         (0, "signed_distance", "changes by 0.3 m a metre"),
         (1, "signed_distance", "nan"),
         (2, "signed_distance", "ZeroDivisionError"),
-        (3, "outward_normal", "1.1 long"),  # on the side that the start does not see
-        (4, "outward_normal", "gradient of signed_distance is"),
+        (3, "signed_distance", "mm inside, is what changes by 0.3 m a metre"),
+        (4, "outward_normal", "1.1 long"),  # on the side that the start does not see
+        (5, "outward_normal", "gradient of signed_distance is"),
+        (6, "outward_normal", "1.1 long"),  # two metres above the start
+        (7, "outward_normal", "0.1 mm inside, is [1, 0, 0]"),
+        (8, "outward_normal", "1 long"),  # of a length that is right on the surface only
     ],
 )
 def test_an_error_is_found_and_named(kind: int, name: str, words: str) -> None:
@@ -83,3 +102,58 @@ def test_an_error_is_found_and_named(kind: int, name: str, words: str) -> None:
 def test_a_shape_without_a_surface_is_said_to_have_none() -> None:
     found = check_shape(Pole(2.0, 0.0, -1.0), START)
     assert not found[0].passed
+
+
+class Limited(NamedTuple):
+    """A ball of which the distance is told within half a metre only."""
+
+    centre: Vec
+    radius: float
+
+
+@signed_distance.register(Limited)
+def _(ball: Limited, point: Vec) -> float:
+    return min(norm(point - ball.centre) - ball.radius, 0.5)
+
+
+@outward_normal.register(Limited)
+def _(ball: Limited, point: Vec) -> Vec:
+    away = point - ball.centre
+    return away * (1.0 / norm(away))
+
+
+def test_a_shape_is_found_where_it_is_though_its_distance_is_limited() -> None:
+    found = check_shape(Limited(Vec(2.0, -3.0, 5.0), 0.3), START)
+    assert [finding.name for finding in found if not finding.passed] == []
+    assert "sampled in" in found[0].sentence
+
+
+class Egg(NamedTuple):
+    """An ellipsoid by an implicit function over the length of its gradient, as the guide has it."""
+
+    centre: Vec
+    half: Vec
+
+
+def _slope_of(egg: Egg, point: Vec) -> tuple[float, Vec]:
+    d, h = point - egg.centre, egg.half
+    value = (d.x / h.x) ** 2 + (d.y / h.y) ** 2 + (d.z / h.z) ** 2 - 1.0
+    return value, Vec(d.x / h.x**2, d.y / h.y**2, d.z / h.z**2) * 2.0
+
+
+@signed_distance.register(Egg)
+def _(egg: Egg, point: Vec) -> float:
+    value, slope = _slope_of(egg, point)
+    return value / (norm(slope) + 1e-12)
+
+
+@outward_normal.register(Egg)
+def _(egg: Egg, point: Vec) -> Vec:
+    slope = _slope_of(egg, point)[1]
+    return slope * (1.0 / norm(slope))
+
+
+@pytest.mark.parametrize("half", [Vec(0.2, 0.1, 0.05), Vec(1.0, 0.5, 0.7), Vec(0.1, 0.1, 0.4)])
+def test_an_implicit_function_over_the_length_of_its_gradient_passes(half: Vec) -> None:
+    found = check_shape(Egg(Vec(2.0, 0.3, 0.6), half), START)
+    assert [finding.sentence for finding in found if not finding.passed] == []

@@ -5,6 +5,8 @@ import { touchOf } from "./flight.js";
 import { create } from "./elements.js";
 
 const HEIGHT = 100;
+/** Least distance of the numbers beside a plot [px]; the rounding doubles it at most, so there are always two. */
+const SPACE = 16;
 const ENERGY = "Energy";
 /** Time shown around first touch of an impact [s]. */
 const WINDOW = [-0.01, 0.13];
@@ -161,7 +163,7 @@ export function createLabPlots(element, { onSeek }) {
       width: Math.max(canvas.clientWidth, 200), height: HEIGHT, padding: [6, 10, 0, 0], legend: { show: false },
       scales: { x: { time: false, auto: false }, y: { auto: false } },
       cursor: { x: false, y: false, points: { show: false }, drag: { x: false, y: false } },
-      axes: [{ ...axis, size: 22, gap: 2, values: labels, splits }, { ...axis, size: 46, gap: 4, space: 24 }],
+      axes: [{ ...axis, size: 22, gap: 2, values: labels, splits }, { ...axis, size: 46, gap: 4, space: SPACE }],
       series: [{}, ...curves.map((curve) => ({
         stroke: curve.colour, width: curve.fill ? 1 : curve.behind ? 1.4 : 1.8, dash: curve.dash ?? [], fill: curve.fill, spanGaps: true, points: { show: false },
       }))],

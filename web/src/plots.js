@@ -8,6 +8,8 @@ import { valueAt } from "./flight.js";
 import { panelsOf, standardPanels } from "./panels.js";
 
 const HEIGHT = 112;
+/** Least distance of the numbers beside a plot [px]; the rounding doubles it at most, so there are always two. */
+const SPACE = 18;
 /** Least width of the numbers beside a plot [px]. */
 const AXIS = 54;
 /** Zooms that can be undone. */
@@ -116,7 +118,7 @@ export function createPlots(element, { onSeek = () => {}, onZoom = () => {}, onE
       cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: true, uni: LEAST_DRAG, setScale: false }, bind: { dblclick: () => () => zoom() } },
       axes: [
         { ...axis, size: 22, gap: 2, space: 56, values: (_, ticks) => ticks.map((t) => seconds(t, ticks)) },
-        { ...axis, size: (_, ticks) => Math.max(AXIS, 7 * Math.max(0, ...(ticks ?? []).map((text) => text.length)) + 8), gap: 4, space: words ? 13 : 22, ...(words ? { values: words } : {}) },
+        { ...axis, size: (_, ticks) => Math.max(AXIS, 7 * Math.max(0, ...(ticks ?? []).map((text) => text.length)) + 8), gap: 4, space: words ? 13 : SPACE, ...(words ? { values: words } : {}) },
       ],
       series: [{}, ...ordered.map((curve) => ({ stroke: curve.colour, width: 1.7, dash: curve.dash, spanGaps: true, points: { show: false }, ...(curve.held ? { paths: stepped } : {}) }))],
       hooks: {
@@ -273,9 +275,9 @@ export function createPlots(element, { onSeek = () => {}, onZoom = () => {}, onE
     get canGoBack() {
       return history.length > 0;
     },
-    /** What is shown: [{name, unit, limits, values: {curve: text}}]. */
+    /** What is shown: [{name, unit, limits, ticks, values: {curve: text}}]. */
     shown: () => plots.map(({ panel, plot, values }) => ({ name: panel.name, unit: panel.unit, limits: [plot.scales.y.min, plot.scales.y.max],
-      values: Object.fromEntries(panel.curves.map((curve, k) => [curve.name, values[k].textContent])) })),
+      ticks: [...(plot.axes[1]._values ?? [])], values: Object.fromEntries(panel.curves.map((curve, k) => [curve.name, values[k].textContent])) })),
     dispose() {
       watching.disconnect();
       plots.forEach(({ plot }) => plot.destroy());

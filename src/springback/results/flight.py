@@ -4,14 +4,12 @@ from __future__ import annotations
 
 import functools
 import warnings
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
-from pydantic_core import PydanticCustomError
 
 from springback.contact.worlds import Own
 from springback.errors import InputError
@@ -29,7 +27,7 @@ from springback.results.recovery_measures import (
 from springback.results.result import FlightResult
 from springback.scenario.avionics import CompiledEstimator, CompiledPilot
 from springback.scenario.build import ReadyFlight, user_parts
-from springback.scenario.files import checked_scenario, read_scenario
+from springback.scenario.files import as_input, checked_scenario, read_scenario
 from springback.scenario.overrides import apply_overrides
 from springback.scenario.scenario import Scenario, scenario_from
 from springback.scenario.user.laws import Law, in_words, source_text
@@ -277,8 +275,8 @@ def fly(
     _check_executor(executor)
     flown_by = chosen_pilot(pilot)
     ready = as_scenario(scenario, overrides, flown_by is not None)
-    parts = user_parts(ready, own, flown_by)
-    with _as_input():
+    with as_input(scenario, overrides):
+        parts = user_parts(ready, own, flown_by)
         built = ready.build(parts)
     if trajectory:
         timing, guided = built.model.timing, built.built_avionics is not None
@@ -336,7 +334,7 @@ def _flight_of(
     if isinstance(result, GuidedFlown):
         (outcome, measures), read = guided_result(result), result.telemetry
     elif columns and "sensors" in scenario.model_fields_set:
-        with _as_input():
+        with as_input():
             read = sensor_readings(scenario, columns)
     telemetry, more = telemetry_columns(read, arms)
     work = work_columns(flown)
@@ -406,7 +404,7 @@ def ready_flight(scenario: Scenario) -> ReadyFlight:
     Raises:
         InputError: If it cannot be flown, or if the code fails, in one line with file and line.
     """
-    with _as_input():
+    with as_input():
         built = scenario.build()
     check_user_code(built)
     return built
@@ -455,15 +453,6 @@ def _check_executor(executor: str) -> None:
     if executor not in known:
         names = " or ".join(map(repr, known))
         raise InputError(f"executor must be {names} (got {source_text(executor)})")
-
-
-@contextmanager
-def _as_input() -> Iterator[None]:
-    """Convert the problem of a scenario that was checked before to bad input."""
-    try:
-        yield
-    except PydanticCustomError as error:
-        raise InputError(f"{(error.context or {})['field']}: {error.message()}") from None
 
 
 def as_scenario(

@@ -7,7 +7,6 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from springback.contact.worlds import Own
-from springback.dynamics.motion import LANDED, rates
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.vectors import Vec
 from springback.recovery.detector import NoDetector
@@ -25,6 +24,7 @@ from springback.scenario.checks import (
     blaming_the_clock,
     check_clock,
     check_start,
+    check_start_beside,
     check_tables,
     check_without_pilot,
 )
@@ -32,7 +32,7 @@ from springback.scenario.model import flight_model, hover_thrusts, start_state, 
 from springback.scenario.tables import ScenarioTables, ThrustSettings
 from springback.scenario.trust import check_trusted
 from springback.scenario.user.builders import PilotContext
-from springback.scenario.user.obstacles import check_own_obstacles, own_obstacles
+from springback.scenario.user.obstacles import check_own_obstacles, own_names, own_obstacles
 from springback.scenario.user.pilots import (
     AnyPilot,
     UserPilot,
@@ -108,7 +108,8 @@ def user_parts(
     """
     parts = named_parts(scenario)
     obstacles = (*parts.obstacles, *own)
-    check_own_obstacles(obstacles, Vec(*scenario.start.position))
+    names = own_names(scenario.world, obstacles)
+    check_own_obstacles(obstacles, Vec(*scenario.start.position), names)
     return parts._replace(obstacles=obstacles, pilot=parts.pilot if pilot is None else pilot)
 
 
@@ -162,7 +163,8 @@ def build_flight(
     start = start_state(s.start, s.vehicle, model, build)
     check_start(s, model, start)
     if parts.obstacles:
-        _check_start_beside(model, start)
+        names = own_names(s.world, parts.obstacles)
+        check_start_beside(s, model, start, zip(names, parts.obstacles, strict=True))
     if s.reference is None and pilot is None:
         check_without_pilot(s)
         return ReadyFlight(s.seed, model, start, None, thrusts=thrust_table(s.thrust))
@@ -262,13 +264,3 @@ def _no_estimator(context: PilotContext, **parameters: Any) -> CompiledEstimator
 
 def _no_detector(context: PilotContext, **parameters: Any) -> CompiledDetector:
     return CompiledDetector(NoDetector(), NoDetector())
-
-
-def _check_start_beside(model: Model, start: State) -> None:
-    """Reject a start inside an obstacle of the user's own."""
-    seen = rates(model, start, 0.0).seen
-    gaps = [(f"cage of arm {j}", arm.gap) for j, arm in enumerate(seen.arms, start=1)]
-    gaps += [("main body", hull.gap) for hull in seen.hull]
-    for part, gap in gaps:
-        if gap < -LANDED:
-            raise problem(f"puts the {part} {-gap:.3g} m inside", "start.position")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import itertools
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import Any
 
 import numpy as np
@@ -24,7 +24,7 @@ from springback.contact.obstacles import Plane, signed_distance
 from springback.contact.parameters import SurfaceSettings, faces
 from springback.contact.scene.faces import SolidScene, distance_of
 from springback.contact.shapes import Box, ShapeSettings
-from springback.contact.worlds import obstacles
+from springback.contact.worlds import Own, obstacles
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.routines import routines_compiled
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
@@ -44,6 +44,7 @@ from springback.scenario.tables import (
     UserShape,
 )
 from springback.scenario.worlds.imported import Imported, single_obstacles
+from springback.scenario.worlds.mesh_check import check_meshes, size_words
 from springback.sensing.parameters import SensorSettings
 from springback.settings import problem
 from springback.simulation.pair.parts import EDGE, HEIGHT
@@ -68,6 +69,7 @@ def check_tables(scenario: ScenarioTables, build: Build = plain_build) -> None:
     s = scenario
     check_reference(s)
     check_hulls(s)
+    check_meshes(s.world.obstacles)
     thrust = build(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
     check_slider(s)
     body = build(true_body, s.vehicle, s.model_error, s.payload, build)
@@ -238,7 +240,6 @@ def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
     """Reject a start inside an obstacle."""
     if is_clear(model, state):
         return
-    parts = [f"cage of arm {j}" for j in range(1, len(model.airframe.arms) + 1)] + ["main body"]
     whole = model.world.obstacles
     if (
         isinstance(whole, SolidScene | MovingScene)
@@ -246,13 +247,33 @@ def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
     ):
         return  # else look for the one
     for name, one in _one_by_one(scenario, model, state):
-        for part, gap in zip(parts, _gaps_of(one, model, state), strict=False):
-            if gap < -LANDED:
-                raise problem(
-                    f"puts the {part} {-gap:.3g} m inside {name} "
-                    f"(got {list(scenario.start.position)} m)",
-                    "start.position",
-                )
+        _refuse_inside(name, one, scenario, model, state)
+
+
+def check_start_beside(
+    scenario: ScenarioTables, model: Model, state: State, own: Iterable[tuple[str, Own]]
+) -> None:
+    """Reject a start inside one of the user's own obstacles, each with its name."""
+    hulled = bool(scenario.vehicle.hulls)
+    for name, one in own:
+        alone = obstacles((), (one,), as_scene=hulled)
+        what = f"{name.removesuffix('.shape')}, a {type(one[0]).__name__}"
+        whole = with_hulls(alone, RING_ROUNDING) if hulled else alone
+        _refuse_inside(what, whole, scenario, model, state)
+
+
+def _refuse_inside(
+    name: str, one: Any, scenario: ScenarioTables, model: Model, state: State
+) -> None:
+    """Reject a start inside some obstacles, with their name."""
+    parts = [f"cage of arm {j}" for j in range(1, len(model.airframe.arms) + 1)] + ["main body"]
+    for part, gap in zip(parts, _gaps_of(one, model, state), strict=False):
+        if gap < -LANDED:
+            raise problem(
+                f"puts the {part} {-gap:.3g} m inside {name} "
+                f"(got {list(scenario.start.position)} m)",
+                "start.position",
+            )
 
 
 def _one_by_one(scenario: ScenarioTables, model: Model, state: State) -> Iterator[tuple[str, Any]]:
@@ -274,9 +295,10 @@ def _named(scenario: ScenarioTables) -> Iterator[tuple[str, Any]]:
     for k, entry in enumerate(scenario.world.obstacles):
         if isinstance(entry, Imported):
             for part in entry.parts:
-                yield f"world.obstacles[{k}], {part.name}, a {part.obstacle.type}", part.obstacle
+                what = f"a {part.obstacle.type}{size_words(part.obstacle)}"
+                yield f"world.obstacles[{k}], {part.name}, {what}", part.obstacle
         else:
-            yield f"world.obstacles[{k}], a {entry.type}", entry
+            yield f"world.obstacles[{k}], a {entry.type}{size_words(entry)}", entry
 
 
 def _is_far(one: Any, place: Vec, reach: float) -> bool:

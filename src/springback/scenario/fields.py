@@ -15,9 +15,9 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic_core import PydanticCustomError
 
 from springback.errors import InputError
-from springback.problems import dotted_path
+from springback.problems import dotted_path, nearest_name
 from springback.quantities import PerArm, Quadruple, Triple, Unit, number_in, si_number
-from springback.settings import Settings, nearest_name
+from springback.settings import Settings
 
 Path = tuple[str | int, ...]
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
 from pydantic import ValidationError
+from pydantic_core import PydanticCustomError
 
 from springback.errors import InputError, excerpt
 from springback.problems import dotted_path, key_path, problem_paths
@@ -59,12 +61,17 @@ def line_of(text: str, path: Sequence[Key]) -> int | None:
     return best
 
 
-def _blame(path: tuple[Key, ...], name: str, text: str, overrides: Sequence[str]) -> str:
-    """Source of a problem: the override that set it, else file and line."""
-    for word in reversed(overrides):
-        parts = key_path(word.partition("=")[0])
-        if path[: len(parts)] == parts or (path and parts[: len(path)] == path):
-            return f"override {excerpt(word)}"
+#: An obstacle that a problem of another key names.
+_NAMED = re.compile(r"world\.obstacles\[\d+\]")
+
+
+def _blame(path: tuple[Key, ...], what: str, name: str, text: str, overrides: Sequence[str]) -> str:
+    """Source of a problem: the override of its key, or of an obstacle in it, else file and line."""
+    for blamed in (path, *map(key_path, _NAMED.findall(what))):
+        for word in reversed(overrides):
+            parts = key_path(word.partition("=")[0])
+            if blamed[: len(parts)] == parts or (blamed and parts[: len(blamed)] == blamed):
+                return f"override {excerpt(word)}"
     return place_of(name, text, path)
 
 
@@ -97,6 +104,44 @@ def read_scenario(
     return checked_scenario(apply_overrides(given, overrides), str(path), text, overrides, pilot)
 
 
+#: Key of a scenario before a problem of it, and the name of a shape of the user's own.
+_KEYED = re.compile(r"(?P<key>[a-z_]+(?:\.\w+|\[\d+\])*)(, \w+)?: ")
+
+
+@contextlib.contextmanager
+def as_input(scenario: object = None, overrides: Sequence[str] = ()) -> Iterator[None]:
+    """Convert a problem that is found when a flight is built, and name its file and line.
+
+    Args:
+        scenario: Path of the scenario's file; anything else has none.
+        overrides: Words, one of which may be at fault.
+
+    Raises:
+        InputError: One line for each problem.
+    """
+    try:
+        try:
+            yield
+        except PydanticCustomError as error:
+            said = f"{(error.context or {})['field']}: {error.message()}"
+            raise InputError(said) from None
+    except InputError as error:
+        if not isinstance(scenario, str | Path):
+            raise
+        raise InputError(
+            *(_with_place(line, Path(scenario), overrides) for line in error.problems)
+        ) from error.__cause__
+
+
+def _with_place(line: str, file: Path, overrides: Sequence[str]) -> str:
+    """Problem of a key of a scenario, with its file and line or the override."""
+    found = _KEYED.match(line)
+    path = key_path(found["key"]) if found else ()
+    if not path or path[0] not in Scenario.model_fields:
+        return line
+    return f"{_blame(path, line, str(file), source_text(file), overrides)}: {line}"
+
+
 def checked_scenario(
     given: dict[str, Any],
     name: str,
@@ -115,6 +160,6 @@ def checked_scenario(
         found = problem_paths(error)
     problems = []
     for path, what in found:
-        where = _blame(path, name, text, overrides)
+        where = _blame(path, what, name, text, overrides)
         problems.append(f"{where}: {dotted_path(path)}: {what}" if path else f"{where}: {what}")
     raise InputError(*problems)

@@ -12,12 +12,12 @@ from pydantic_core import PydanticCustomError
 from springback.contact.grids.data_files import content_digest
 from springback.contact.library import SURFACES
 from springback.errors import InputError, shown_value, within
+from springback.problems import nearest_name
 from springback.quantities import Unit
 from springback.scenario.code_files import with_absolute_names
 from springback.scenario.source_text import source_text, toml_tables
 from springback.scenario.worlds.imported import read_import
 from springback.sensing.library import ESTIMATORS
-from springback.settings import nearest_name
 from springback.vehicle.library import VEHICLES
 
 #: A surface of the user's own.

@@ -15,6 +15,7 @@ from springback.scenario.avionics import limits_of, nominal_vehicle, propulsion_
 from springback.scenario.scenario import Scenario
 from springback.scenario.tables import ScenarioTables
 from springback.scenario.worlds.imported import Imported, single_obstacles
+from springback.scenario.worlds.mesh_check import mesh_warnings
 
 #: Distance from start.position to reference.start that is worth a warning [m] (chosen: more than
 #: five standard deviations of the trials' positions).
@@ -35,6 +36,7 @@ def scenario_warnings(scenario: Scenario, *, own: bool = False) -> list[str]:
         own: True if a pilot of the user's own flies it.
     """
     found = _unrepresented(scenario) + _curved(scenario)
+    found += mesh_warnings(scenario.world.obstacles)
     found += _warnings_of_the_pilot(scenario, own, scenario.model_fields_set)
     if scenario.second is not None:
         other, given = scenario.beside(), scenario.second.model_fields_set

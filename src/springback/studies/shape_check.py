@@ -1,4 +1,4 @@
-"""Check of an obstacle of the user's own: its distance and normal, seen from all sides."""
+"""Check of an obstacle of the user's own: its distance and normal, wherever it is."""
 
 from __future__ import annotations
 
@@ -9,24 +9,35 @@ from typing import Any
 
 from springback.contact.obstacles import signed_distance
 from springback.errors import InputError
-from springback.kernels.vectors import Vec
+from springback.kernels.vectors import Vec, norm
 from springback.progress import Progress, silent
 from springback.scenario.user.obstacles import check_shape_from
 from springback.studies.pilot_check import Finding
 
 #: Distance of the points of view from the surface [m] (chosen: that of a vehicle before a contact).
 AROUND = 0.3
+#: Directions from the start in which a surface is looked for that is not reached along the
+#: gradient, and how far, in strides of at least this [m] (chosen).
+LOOKS, FARTHEST, STRIDE = 300, 30.0, 0.05
+#: Distances from the nearest place at which others are looked for [m] (chosen).
+SPREAD = (0.3, 1.0, 3.0)
+#: Smallest distance of two places of the surface [m], and most of them (chosen: a second or two).
+APART, MOST_PLACES = 0.2, 16
 #: Step of finite differences, and distance within which the surface is reached [m] (chosen).
 STEP, REACHED = 1e-5, 1e-3
 #: Steps to the surface at most: a distance that is understated by half takes some 20.
 WALK = 200
+#: Farthest point of such a way from its beginning [m] (chosen).
+STRAY = 1e4
 
 
 def check_shape(shape: Any, start: Vec, *, progress: Progress = silent) -> list[Finding]:
     """Check the functions of a shape where a vehicle could touch it.
 
-    From the start the surface is looked for along the gradient of the distance.  Rays from the
-    start, and from 14 points around the nearest point of the surface, then sample both functions
+    From the start the surface is looked for along the gradient of the distance; where none is
+    reached so, as where the distance is limited, in all directions.  From points around the nearest
+    place others are looked for, up to `MOST_PLACES`.  Rays from the start, and from points around
+    all places, then sample both functions
     (`springback.scenario.user.obstacles.check_shape_from`).
 
     Args:
@@ -35,21 +46,27 @@ def check_shape(shape: Any, start: Vec, *, progress: Progress = silent) -> list[
         progress: Called with the fraction of the points done.
     """
     problems: list[str] = []
-    nearest = None
+    places: list[Vec] = []
     try:
-        nearest = _nearest(shape, start)
+        places = _places(shape, start)
     except InputError as error:
         problems += error.problems
-    views = [start, *(_around(nearest) if nearest is not None else ())]
+    views = [start, *(_around(places[0], AROUND) if places else ())]
+    try:
+        views += [view for place in places[1:] for view in _sides(shape, place)]
+    except InputError as error:
+        problems += error.problems
     for k, view in enumerate(views, start=1):
         try:
             check_shape_from(view, shape, "shape")
         except InputError as error:
             problems += error.problems
         progress(k / len(views))
-    found = nearest is not None
-    where = f"nearest at {_text(nearest)} m" if nearest is not None else "no surface was reached"
-    findings = [Finding("has a surface", found, f"seen from {_text(start)} m: {where}")]
+    where = f"nearest at {_text(places[0])} m" if places else "no surface was reached"
+    if len(places) > 1:
+        low, high = Vec(*map(min, *places)), Vec(*map(max, *places))
+        where += f", sampled in {len(places)} places from {_text(low)} to {_text(high)} m"
+    findings = [Finding("has a surface", bool(places), f"seen from {_text(start)} m: {where}")]
     for name, good in (
         ("signed_distance", "finite, nowhere more than the true one, grows by 1 m a metre"),
         ("outward_normal", "1 long, and the gradient of signed_distance"),
@@ -65,6 +82,47 @@ def check_shape(shape: Any, start: Vec, *, progress: Progress = silent) -> list[
     return findings
 
 
+def _places(shape: Any, start: Vec) -> list[Vec]:
+    """Places of the surface, that nearest to the start first; none if there is no surface."""
+    points = itertools.chain([start], _nearer(shape, start))
+    reached = (_nearest(shape, point) for point in points)
+    first = next((place for place in reached if place is not None), None)
+    if first is None:
+        return []
+    found = [first]
+    for point in (point for reach in SPREAD for point in _around(first, reach)):
+        place = _nearest(shape, point)
+        if place is not None and all(norm(place - other) > APART for other in found):
+            found.append(place)
+        if len(found) == MOST_PLACES:
+            break
+    return found
+
+
+def _nearer(shape: Any, start: Vec) -> Iterator[Vec]:
+    """Points on ways from the start at which the surface has come nearer."""
+    there = abs(_distance(shape, start))
+    for k in range(LOOKS):  # spread evenly over the sphere
+        up, turn = 1.0 - (2.0 * k + 1.0) / LOOKS, math.pi * (3.0 - math.sqrt(5.0)) * k
+        level = math.sqrt(1.0 - up * up)
+        way, direction = 0.0, Vec(level * math.cos(turn), level * math.sin(turn), up)
+        gap = there
+        while way < FARTHEST and gap > 0.99 * there:
+            way += max(gap, STRIDE)
+            gap = abs(_distance(shape, start + direction * way))
+        if way < FARTHEST:
+            yield start + direction * way
+
+
+def _sides(shape: Any, place: Vec) -> list[Vec]:
+    """Points of view above and below a place of the surface; none at a ridge."""
+    out = _slope(shape, place)
+    if not norm(out) > 0.5:
+        return []
+    way = out * (AROUND / norm(out))
+    return [place + way, place - way]
+
+
 def _nearest(shape: Any, start: Vec) -> Vec | None:
     """Point of the surface that is reached along the gradient; None if there is none."""
     point = start
@@ -72,13 +130,23 @@ def _nearest(shape: Any, start: Vec) -> Vec | None:
         gap = _distance(shape, point)
         if abs(gap) < REACHED:
             return point
-        slope = [
-            (_distance(shape, point + axis) - _distance(shape, point - axis)) / (2.0 * STEP)
-            for axis in (Vec(STEP, 0.0, 0.0), Vec(0.0, STEP, 0.0), Vec(0.0, 0.0, STEP))
-        ]
-        steepness = max(math.hypot(*slope), 1e-3)  # of a distance it is 1
-        point = point - (gap / steepness**2) * Vec(*slope)
+        slope = _slope(shape, point)
+        steepness = max(norm(slope), 1e-3)  # of a distance it is 1
+        point = point - slope * (gap / steepness**2)
+        if norm(point - start) > STRAY:
+            break
     return None
+
+
+def _slope(shape: Any, point: Vec) -> Vec:
+    """Gradient of the distance, by central differences."""
+    axes = (Vec(STEP, 0.0, 0.0), Vec(0.0, STEP, 0.0), Vec(0.0, 0.0, STEP))
+    return Vec(
+        *(
+            (_distance(shape, point + axis) - _distance(shape, point - axis)) / (2.0 * STEP)
+            for axis in axes
+        )
+    )
 
 
 def _distance(shape: Any, point: Vec) -> float:
@@ -92,11 +160,11 @@ def _distance(shape: Any, point: Vec) -> float:
     return value
 
 
-def _around(point: Vec) -> Iterator[Vec]:
-    """Points around another, along axes and diagonals."""
+def _around(point: Vec, reach: float) -> Iterator[Vec]:
+    """Points around another at some distance [m], along axes and diagonals."""
     for x, y, z in itertools.product((-1.0, 0.0, 1.0), repeat=3):
         if (count := abs(x) + abs(y) + abs(z)) in (1.0, 3.0):
-            yield point + Vec(x, y, z) * (AROUND / count**0.5)
+            yield point + Vec(x, y, z) * (reach / count**0.5)
 
 
 def _text(point: Vec) -> str:

@@ -14,6 +14,7 @@ import pytest
 from click.testing import CliRunner, Result
 from PIL import Image
 
+from builders.cases import nonempty
 from springback.contact.library import WALL
 from springback.contact.openings import Window
 from springback.errors import InputError
@@ -226,7 +227,7 @@ def test_the_force_beside_a_picture_is_the_sum_of_those_in_it(scene: Scene) -> N
     k = int(np.argmax(np.linalg.norm(scene.force, axis=2).sum(axis=1)))
     picture = Frame([scene], timing.timing([scene], slow=20.0, fps=500.0), (400, 360))
     picture.at(int(np.argmin(np.abs(picture.timing.t - scene.t[k] + scene.impacts[0][0]))))
-    said = picture.panels[0][0].said.get_text().splitlines()[0]
+    said = picture.said[0][0].get_text().split(", arms")[0]
     found = re.fullmatch(r"contact, sum (\d+) N", said)
     assert found, said
     parts = np.linalg.norm(scene.force[k], axis=1)
@@ -234,6 +235,23 @@ def test_the_force_beside_a_picture_is_the_sum_of_those_in_it(scene: Scene) -> N
     whole = np.linalg.norm(scene.force[k].sum(axis=0))
     assert whole < 0.95 * parts.sum()  # friction of one cage cancels that of the other
     assert float(found[1]) == pytest.approx(whole, rel=0.02)
+
+
+def test_words_cover_neither_robots_nor_obstacles(scene: Scene) -> None:
+    """Names and numbers are above the views: an obstacle at the right edge was behind them."""
+    for scenes, size in nonempty([([scene], (400, 360)), ([scene, scene], (720, 540))]):
+        picture = Frame(scenes, timing.timing(scenes, slow=20.0, fps=25.0), size)
+        picture.at(0)
+        top = max(upper.ax.get_window_extent().y1 for upper, _ in picture.panels)
+        lines = [line for said in picture.said for line in said]
+        written = [text for text in picture.figure.texts if text.get_text()]
+        assert set(lines) < set(written)
+        boxes = [text.get_window_extent() for text in written]
+        assert min(box.y0 for box in boxes) >= top
+        for k, box in enumerate(boxes):
+            assert box.x0 >= 0.0
+            assert box.x1 <= size[0]
+            assert not any(box.overlaps(other) for other in boxes[:k])
 
 
 def test_a_picture_changes_where_something_moves_and_nowhere_else(scene: Scene) -> None:
@@ -342,7 +360,7 @@ def test_two_flights_of_one_robot_go_by_their_folders(folder: Path, tmp_path: Pa
     labels = enumerate(("ARQ (arq)", "ARQ (softer)"))
     scenes = [replace(scene_of(thrown()), label=label, world=k) for k, label in labels]
     picture = Frame(scenes, timing.timing(scenes, slow=20.0, fps=25.0), (400, 360))
-    titles = [text.get_text() for side, _ in picture.panels for text in side.ax.texts]
+    titles = [text.get_text() for text in picture.figure.texts]
     legend = picture.curve.ax.get_legend()
     assert legend is not None
     keys = [text.get_text() for text in legend.get_texts()]

@@ -59,6 +59,34 @@ def refused(done: subprocess.CompletedProcess[str], *words: str) -> None:
     assert done.stdout == ""
 
 
+def test_an_error_is_json_where_the_result_would_be(folder: Path) -> None:
+    """One object on stdout; stderr and the exit code are as without."""
+    done = run("check", "s.toml", "world.obstacles.0.type=waal", "--json", cwd=folder)
+    assert done.returncode == 2
+    assert done.stderr.startswith("error: override world.obstacles.0.type=waal: world.obstacles[0]")
+    data = json.loads(done.stdout)
+    assert data["kind"] == "error"
+    [problem] = data["problems"]
+    assert problem.pop("message").endswith("(got 'waal'); did you mean wall?")
+    assert problem == {
+        "file": None, "line": None, "override": "world.obstacles.0.type=waal",
+        "field": "world.obstacles[0].type",
+    }  # fmt: skip
+    (folder / "t.toml").write_text(SCENARIO.replace('"wall"\ndistance', '"waal"\ndistance'))
+    [problem] = json.loads(run("fly", "t.toml", "--out", "o", "--json", cwd=folder).stdout)[
+        "problems"
+    ]
+    assert (problem["file"], problem["line"]) == ("t.toml", 6)
+    assert problem["field"] == "world.obstacles[0].type"
+    for words, said in (
+        (("check", "none.toml", "--json"), "cannot be read (No such file or directory)"),
+        (("fly", "s.toml", "--json"), "Missing option '--out'."),
+    ):
+        done = run(*words, cwd=folder)
+        assert done.returncode == 2
+        assert [one["message"] for one in json.loads(done.stdout)["problems"]] == [said]
+
+
 def test_fly_writes_summary_trajectory_and_figures(folder: Path) -> None:
     done = run("fly", "s.toml", "--out", "out", cwd=folder)
     assert done.returncode == 0, done.stderr

@@ -486,3 +486,42 @@ def test_a_second_vehicle_flies_along_and_is_shown(tmp_path: Path) -> None:
     in_lab = fly(lab_scenario(table(), "mine"))
     assert in_lab.second is not None
     assert in_lab.second.measures == as_file.second.measures
+
+
+def test_sliders_move_and_soften_the_second_vehicle(tmp_path: Path) -> None:
+    """Its start and springs, with the file's numbers as defaults; the first one stays as it is."""
+    path = tmp_path / "pair.toml"
+    path.write_text(
+        'name = "waits"\nvehicle = "arq"\n[world]\ngravity = 0\n[start]\nposition = [0, 0, 0]\n'
+        '[second]\nname = "comes"\nvehicle = "arq"\n[second.start]\nposition = [0.7, 0.22, 0]\n'
+        'velocity = [-0.6, 0.8, 0]\nyaw = "149 deg"\n'
+    )
+    table = table_of(path)
+    names = [name for name in fields_of(table) if name.startswith("second_")]
+    assert names == [f"second_{one}" for one in ("speed", "x", "y", "z", "yaw", "stiffness")]
+    assert [getattr(table(), name) for name in names] == [1.0, 0.7, 0.22, 0.0, 149.0, 5.0]
+    for name in nonempty(names):
+        control = control_of(name, table)
+        assert control.group == "Second vehicle, comes"
+        assert control.when == {"mode": ("file",)}
+    assert lab_scenario(table(), "mine") == read_scenario(path)
+    moved = setting(
+        table, second_speed=2.0, second_y=0.3, second_yaw=-90.0, second_stiffness="3 N/mm"
+    )
+    found, given = lab_scenario(moved, "mine"), read_scenario(path)
+    hovers = ('reference={ type = "hold", position = [0, 0, 1] }', "start.position=[0, 0, 1]")
+    assert table_of(path, *hovers)().mode == "file"  # an impact would have one vehicle
+    assert (found.vehicle, found.start, found.world) == (given.vehicle, given.start, given.world)
+    assert found.name.endswith("waits, changed")
+    assert found.second is not None
+    assert found.second.name == "comes"
+    assert found.second.start.velocity == pytest.approx((-1.2, 1.6, 0.0))
+    assert found.second.start.position == (0.7, 0.3, 0.0)
+    assert found.second.start.yaw == pytest.approx(-math.pi / 2)
+    assert found.second.vehicle.arms.stiffness == 3000.0
+    with pytest.raises(InputError, match=r"second_z: must be at most 2 m"):
+        setting(table, second_z=9.0)
+
+
+def test_without_a_second_vehicle_there_are_no_sliders_for_it(file: Path) -> None:
+    assert not [name for name in fields_of(table_of(file)) if name.startswith("second_")]

@@ -146,6 +146,22 @@ def test_any_signal_can_be_plotted_and_is_remembered(
     assert [url for url in requests(driver) if not url.startswith(("file:", "data:"))] == []
 
 
+def test_a_scale_has_two_numbers_at_least(clean: Any) -> None:
+    """One alone says nothing of the size of a curve; uPlot's rounding left 0 alone at -4.5 to 4.5."""
+    driver = clean
+    driver.execute_script("window.springback.plots.choose([['x']])")
+    for top in nonempty([0.9, 1.3, 2.2, 3.1, 4.5, 4.9]):
+        heights = f"heights: {{x: [{-top}, {top}]}}"
+        driver.execute_script(f"window.springback.plots.restore({{range: [0, 0.1], {heights}}})")
+        wait = (
+            "return new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
+        )
+        driver.execute_script(wait)
+        [plot] = shown(driver).values()
+        assert plot["limits"] == [-top, top]
+        assert len(plot["ticks"]) >= 2, (top, plot["ticks"])
+
+
 def test_values_under_the_cursor_and_zooms_that_can_be_undone(
     clean: Any, flights: list[Flight]
 ) -> None:

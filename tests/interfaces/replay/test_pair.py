@@ -40,6 +40,18 @@ def test_each_vehicle_has_a_scene_of_the_same_world(scenes: list[Scene]) -> None
     assert not any(scene.notes for scene in scenes)
 
 
+def test_vehicles_go_by_the_names_of_the_scenario_not_by_their_presets(flight: Flight) -> None:
+    """Where the second has one: an ARQ and a Quad, too, and beside other flights of both."""
+    quad = vehicle(0.6, -1.0, yaw=2.6, y=0.22) | {"vehicle": "quad"}
+    named = fly(two({**quad, "name": "comes"}, name="waits"))
+    assert [scene.label for scene in scenes_of([named])] == ["waits", "comes"]
+    assert [scene.label for scene in scenes_of([named, flight], ["a", "b"])] == [
+        "waits (a)", "comes (a, second)", "waits (b)", "comes (b, second)",
+    ]  # fmt: skip
+    unnamed = fly(two(quad, name="waits"))
+    assert [scene.label for scene in scenes_of([unnamed])] == ["ARQ", "Quad"]
+
+
 def test_forces_are_drawn_on_both_opposite_at_one_point(scenes: list[Scene]) -> None:
     """At an instant in the contact, as interpolated for a film."""
     assert scenes[0].first_touch is not None
@@ -77,7 +89,7 @@ def test_a_film_shows_both_in_each_view(scenes: list[Scene]) -> None:
     assert shape == (360, 400, 3)
     arrows = [len(path.vertices) for path in side.forces.get_paths()]
     assert len(arrows) >= 2
-    labels = {text.get_text() for text in side.ax.texts}
+    labels = {text.get_text() for text in picture.figure.texts}
     assert {"waits", "comes"} <= labels
 
 

@@ -27,7 +27,9 @@ def test_the_flights_to_replay_fit_on_the_page(tmp_path: Path) -> None:
     filled(tmp_path / "rows", parts=2, size=40, samples=80, vary=VARY)
     found = summary(Campaign(tmp_path / "rows"))
     write_summary(found, tmp_path, pairs=[("stiffness", "damping")])
-    assert "confidence: ARQ " in (tmp_path / "summary.html").read_text(encoding="utf-8")
+    assert "95 % confidence interval (Wilson): ARQ " in (tmp_path / "summary.html").read_text(
+        encoding="utf-8"
+    )
     with browser(tmp_path / "profile") as driver:
         for width in (1440, 390):
             resized(driver, width, 900)

@@ -171,7 +171,7 @@ def test_errors_name_the_line_of_the_scenario_and_of_the_world(tmp_path: Path) -
         scenario(tmp_path, sdf(sdf_model("a", "<box><size>1 1</size></box>")))
     [line] = refused.value.problems
     assert "s.toml:11: world.obstacles[0].file: " in line
-    assert "w.sdf:2: size: size [m]: must be 3 numbers (got '1 1')" in line
+    assert "w.sdf:2: size [m]: must be 3 numbers (got '1 1')" in line
     with pytest.raises(
         InputError, match=r"world\.obstacles\[0\]\.file: .*no\.sdf: cannot be read \(No such file"
     ):

@@ -319,7 +319,7 @@ def test_what_moves_is_at_rest_and_said(tmp_path: Path) -> None:
 
 
 WRONG = {
-    "<box><size>0.4 -1 2</size></box>": r"w\.sdf:2: size: size \[m\]: must be above 0 \(got -1\)",
+    "<box><size>0.4 -1 2</size></box>": r"w\.sdf:2: size \[m\]: must be above 0 \(got -1\)",
     "<box><size>0.4 1</size></box>": r"must be 3 numbers \(got '0\.4 1'\)",
     "<box><size>0.4 nan 2</size></box>": r"must be finite, at most 1e\+09 in size \(got nan\)",
     "<box><size>0.4 1e300 2</size></box>": r"must be finite, at most 1e\+09",

@@ -55,12 +55,16 @@ def test_files_that_are_none_or_too_large(tmp_path: Path, monkeypatch: pytest.Mo
     with pytest.raises(InputError, match=r"is of no format that is read: \.sdf, \.world"):
         read_world(tmp_path / "none.blend")
     (tmp_path / "d.sdf").mkdir()
-    with pytest.raises(InputError, match="is not a regular file"):
+    with pytest.raises(InputError, match="is not a regular file") as refused:
         read_world(tmp_path / "d.sdf")
+    assert str(refused.value).count("d.sdf") == 1
     with open(tmp_path / "hole.sdf", "wb") as file:
         file.truncate(paths.MOST_BYTES + 1)
-    with pytest.raises(InputError, match="is too large, 64 MB; a file of at most 64 MB is read"):
+    with pytest.raises(
+        InputError, match="is too large, 64 MB; a file of at most 64 MB is read"
+    ) as refused:
         read_world(tmp_path / "hole.sdf")
+    assert str(refused.value).count("hole.sdf") == 1
     os.mkfifo(tmp_path / "pipe.sdf")
     with pytest.raises(InputError, match="is not a regular file"):
         read_world(tmp_path / "pipe.sdf")

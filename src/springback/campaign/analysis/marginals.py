@@ -15,8 +15,8 @@ from springback.campaign.columns import FLIGHT, RESULT, SECOND_OUTCOME, known_co
 from springback.campaign.design.distributions import LevelSet, NormalFactor
 from springback.errors import InputError
 from springback.intervals import IntervalEstimate, Values, quantile, share
+from springback.problems import nearest_name
 from springback.results.database import identifier
-from springback.settings import nearest_name
 
 
 class Scale(NamedTuple):

@@ -10,9 +10,9 @@ from pydantic_core import PydanticCustomError
 
 from springback.campaign.columns import FLIGHT, RESULT, SECOND_OUTCOME, known_columns
 from springback.errors import InputError, excerpt
+from springback.problems import nearest_name
 from springback.quantities import si_number
 from springback.results.database import identifier, literal
-from springback.settings import nearest_name
 from springback.simulation.measures import Outcome
 
 _COMPARISON = re.compile(r"\s*(?P<name>[^<>=!]+?)\s*(?P<sign><=|>=|!=|==?|<|>)\s*(?P<limit>.+?)\s*")

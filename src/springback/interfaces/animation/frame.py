@@ -33,6 +33,8 @@ SIDE = 0.38
 """Chosen: fraction of the views' height given to the side view."""
 CURVE, HEAD, GAP = 0.25, 0.07, 0.004
 """Chosen: heights of curve and clock and gap between the views, as fractions of the figure."""
+ROW = 0.042
+"""Chosen: height of the line above the views with a robot's name and numbers, likewise."""
 
 
 class Frame:
@@ -51,6 +53,8 @@ class Frame:
         self.figure = Figure(figsize=(size[0] / 100, size[1] / 100), dpi=100, facecolor="white")
         self.canvas = _canvas(self.figure)
         self.newton = ARROW / max(1.0, *(float(_size(s.force).max(initial=0.0)) for s in scenes))
+        self.said: list[list[Any]] = []
+        """Lines with numbers, of each robot of each world."""
         self.panels = [self._column(k) for k in range(len(self.worlds))]
         self.reach = max(arm.length + arm.cage_radius for s in scenes for arm in s.arms)
         self.ways = [[self._way(panel) for panel in column] for column in self.panels]
@@ -64,12 +68,14 @@ class Frame:
         when, slowness = float(self.timing.t[k]), float(self.timing.slowness[k])
         poses = [[pose(scene, origin(scene) + when) for scene in each] for each in self.worlds]
         self._aim(poses, when)
-        for scenes, now, column in zip(self.worlds, poses, self.panels, strict=True):
+        for scenes, now, column, said in zip(
+            self.worlds, poses, self.panels, self.said, strict=True
+        ):
             pasts = [one.position[_places(one, self.timing.begin, when)] for one in scenes]
             for panel in column:
                 panel.turn(now, pasts, self.newton)
-            captions = map(_caption if len(scenes) == 1 else _short_caption, scenes, now)
-            column[0].said.set_text("\n".join(captions))
+            for line, scene, there in zip(said, scenes, now, strict=True):
+                line.set_text(_caption(scene, there))
         self.curve.turn(when)
         sign = "+" if when >= 0.0 else "−"
         self.words[0].set_text(f"t = {sign}{1e3 * abs(when):.0f} ms")
@@ -93,7 +99,7 @@ class Frame:
                 panel.ax.draw_artist(artist)
         for artist in self.curve.moving:
             self.curve.ax.draw_artist(artist)
-        for word in self.words:
+        for word in (*self.words, *(line for said in self.said for line in said)):
             self.figure.draw_artist(word)
         return np.asarray(self.canvas.buffer_rgba())[:, :, :3].copy()
 
@@ -106,17 +112,26 @@ class Frame:
 
     def _column(self, k: int) -> tuple[ScenePanel, ScenePanel]:
         """Draw a scene from the side and, below, from above."""
-        scenes, width, height = self.worlds[k], 1.0 / len(self.worlds), 1.0 - CURVE - HEAD
+        scenes, width = self.worlds[k], 1.0 / len(self.worlds)
+        rows = max(map(len, self.worlds))
+        height = 1.0 - CURVE - HEAD - ROW * rows
         side, above = views(*scenes)
         low = CURVE + (1.0 - SIDE) * height
         upper = self._panel(k, side, (k * width, low, width, SIDE * height), "from the side")
         box = (k * width, CURVE, width, (1.0 - SIDE) * height)
         lower = self._panel(k, above, box, "from above")
-        for row, scene in enumerate(scenes):
-            upper.ax.annotate(
-                escape(scene.label), (0.015, 0.95), (0.0, -15.0 * row * self.unit),
-                xycoords="axes fraction", textcoords="offset points", va="top", weight="bold",
+        self.said.append([])
+        for row, scene in enumerate(scenes):  # beside the views, where they cover nothing
+            y = 1.0 - HEAD - ROW * (row + 0.5)
+            self.figure.text(
+                k * width + 0.012, y, escape(scene.label), va="center", weight="bold",
                 fontsize=12 * self.unit, color=LOOKS[(k + row) % 2].colour,
+            )  # fmt: skip
+            self.said[-1].append(
+                self.figure.text(
+                    (k + 1) * width - 0.012, y, "", ha="right", va="center", color=INK,
+                    fontsize=10 * self.unit, animated=True,
+                )
             )  # fmt: skip
         return upper, lower
 
@@ -195,17 +210,12 @@ def _places(scene: Scene, begin: float, end: float) -> Any:
 
 
 def _caption(scene: Scene, now: SceneInstant) -> str:
-    """Sum of all contact forces, and compression of the arms, as text."""
-    lines = [f"contact, sum {float(_size(now.force.sum(axis=0))):.0f} N"]
+    """Sum of all contact forces, and compression of the arms, in one line."""
+    said = f"contact, sum {float(_size(now.force.sum(axis=0))):.0f} N"
     if any(arm.compliant for arm in scene.arms):
         pressed = [arm.length - v for arm, v in zip(scene.arms, now.lengths, strict=True)]
-        lines.append(f"arms give {1e3 * max(*pressed, 0.0):.1f} mm")
-    return "\n".join(lines)
-
-
-def _short_caption(scene: Scene, now: SceneInstant) -> str:
-    """The same in one line, for one of two robots."""
-    return f"{escape(scene.label)}: {', '.join(_caption(scene, now).splitlines())}"
+        said += f", arms give {1e3 * max(*pressed, 0.0):.1f} mm"
+    return said
 
 
 def _nearness(when: float, begin: float, end: float) -> float:

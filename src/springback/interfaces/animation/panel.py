@@ -89,13 +89,7 @@ class ScenePanel:
         self.animate(ax.add_collection(self.forces))
         self.scale = self.line(color=INK, lw=2.0 * unit, solid_capstyle="butt")
         self.length = ax.text(0.0, 0.0, "", fontsize=9 * unit, ha="center", va="bottom", color=INK)
-        self.said = ax.text(
-            0.985, 0.96, "", transform=ax.transAxes, ha="right", va="top", fontsize=10 * unit,
-            color=INK, linespacing=1.35,
-            bbox={"facecolor": "white", "alpha": 0.85, "lw": 0.0, "pad": 2.0},
-        )  # fmt: skip
         self.animate(self.length)
-        self.animate(self.said)
 
     def animate(self, artist: Any) -> None:
         """Draw an artist in every frame."""

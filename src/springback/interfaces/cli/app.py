@@ -1,14 +1,17 @@
 """The command line: all commands, and handling of errors.
 
-Results go to stdout, everything else to stderr.  Exit codes: 0 done, 1 the run failed, 2 invalid
-input, 130 interrupted.  Heavy modules are imported by the commands that need them.
+Results go to stdout, everything else to stderr; with ``--json`` errors go to both.  Exit codes: 0
+done, 1 the run failed, 2 invalid input, 130 interrupted.  Heavy modules are imported by the
+commands that need them.
 """
 
 from __future__ import annotations
 
 import errno
 import gc
+import json
 import sys
+from collections.abc import Sequence
 from typing import NoReturn
 
 import click
@@ -54,9 +57,7 @@ def main() -> None:
     try:
         cli.main(standalone_mode=False)
     except InputError as error:
-        for line in error.problems:
-            say(f"error: {line}")
-        sys.exit(2)
+        _refuse(error.problems)
     except click.Abort as error:
         # click raises this for Ctrl-C, and also for an unexpected end of input
         if isinstance(error.__cause__, EOFError):
@@ -65,8 +66,10 @@ def main() -> None:
     except KeyboardInterrupt:
         _interrupted()
     except click.ClickException as error:
-        error.show()
-        sys.exit(2)
+        if not _wants_json():
+            error.show()
+            sys.exit(2)
+        _refuse([" ".join(error.format_message().split())])
     except Exception as error:
         if interrupts.is_interrupted():  # and any error it caused in a library
             _interrupted()
@@ -75,6 +78,23 @@ def main() -> None:
             raise
         say(f"error: {said}")
         sys.exit(1)
+
+
+def _wants_json() -> bool:
+    """True if the results were wanted as JSON, so that errors are, too."""
+    words = sys.argv[1:]
+    return "--json" in (words[: words.index("--")] if "--" in words else words)
+
+
+def _refuse(problems: Sequence[str]) -> NoReturn:
+    """Exit for invalid input, with a line for each problem; as JSON on stdout, too, if wanted."""
+    if _wants_json():
+        from springback.interfaces.output.json_problems import problem_data
+
+        click.echo(json.dumps(problem_data(problems), indent=2))
+    for line in problems:
+        say(f"error: {line}")
+    sys.exit(2)
 
 
 def _interrupted() -> NoReturn:

@@ -35,10 +35,10 @@ def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
     SCENARIO (by default quad at [0, 0, 1] m) it must hover. The exit code is 1 if one fails.
     KEY=VALUE are arguments of a function that returns one.
 
-    The distance and the normal of an obstacle are sampled from the start of the SCENARIO (by
-    default [0, 0, 1] m) and from all sides: a distance that is overstated, that does not grow by
-    1 m a metre or is no number, a normal that is not 1 long or not the gradient. NAME is a shape,
-    or its type with KEY=VALUE for its fields.
+    The distance and the normal of an obstacle are sampled wherever its surface is, looked for from
+    the start of the SCENARIO (by default [0, 0, 1] m), from all sides, inside and outside: a
+    distance that is overstated, that does not grow by 1 m a metre or is no number, a normal that is
+    not 1 long or not the gradient. NAME is a shape, or its type with KEY=VALUE for its fields.
 
     An estimator or a detector flies the SCENARIO within springback's pilot: by default quad hovers
     by the estimates, which must be near the truth, or flies into a wall at 2 m/s, which the
@@ -68,10 +68,11 @@ def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
 
 def _check_scenario(path: Path, overrides: Sequence[str], terminal: Terminal) -> None:
     from springback.results.flight import ready_flight
-    from springback.scenario.files import read_scenario
+    from springback.scenario.files import as_input, read_scenario
 
     scenario = read_scenario(path, overrides)
-    ready_flight(scenario)  # code of the user's own that cannot be used is refused
+    with as_input(path, overrides):
+        ready_flight(scenario)  # code of the user's own that cannot be used is refused
     numbers, warnings = _findings(scenario)
     data = {"kind": "scenario", "derived": numbers, "warnings": warnings}
     terminal.print(data, "\n".join(_lines(numbers)))

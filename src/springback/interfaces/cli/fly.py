@@ -32,9 +32,10 @@ def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: O
     springback fly scenario.toml second=other.toml --out results
     """
     from springback.interfaces.output.folders import SUMMARY
+    from springback.interfaces.output.no_contact import untouched_flight
     from springback.interfaces.reports.flight_files import FLIGHT_FILES, write_flight
     from springback.results.flight import fly as fly_scenario
-    from springback.scenario.files import read_scenario
+    from springback.scenario.files import as_input, read_scenario
     from springback.scenario.user.pilots import read_pilot
     from springback.scenario.warnings import scenario_warnings
 
@@ -44,13 +45,18 @@ def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: O
         say(f"warning: {sentence}")
     with output.folder(FLIGHT_FILES) as folder:
         with output.spinner(FIRST):
-            with warnings.catch_warnings():  # printed below, in the format of this program
+            with (
+                as_input(scenario, overrides),
+                warnings.catch_warnings(),
+            ):  # printed below, in the format of this program
                 warnings.simplefilter("ignore", FlightWarning)
                 flight = fly_scenario(ready, pilot=own)
             written = write_flight(flight, folder, figures=output.wants_figures())
         summary = (folder / SUMMARY).read_text(encoding="utf-8")
     flights = [one for one in (flight, flight.second) if one is not None]
     output.print(json.loads(summary), "\n".join(map(repr, flights)))
+    if line := untouched_flight(flight, own is not None):
+        output.note(line)
     output.note_written(written)
     for sentence in (line for one in flights for line in one.remarks.values()):
         say(f"warning: {sentence}")

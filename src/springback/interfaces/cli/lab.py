@@ -43,11 +43,13 @@ def lab(
     from springback.interfaces.lab.user_settings import user_settings
     from springback.interfaces.web.server import serve
     from springback.scenario.build import user_parts
+    from springback.scenario.files import as_input
 
     table, queue = LabSettings, RequestQueue()
     if scenario is not None:
         user = read_user_scenario(scenario, overrides)
-        user_parts(user.scenario)  # its code is there, and trusted
+        with as_input(scenario, overrides):
+            user_parts(user.scenario)  # its code is there, and trusted
         table = user_settings(user)
         queue = RequestQueue(prepared=(table(),))
     app = lab_app(queue, table)

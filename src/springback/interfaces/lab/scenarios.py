@@ -23,6 +23,7 @@ from springback.interfaces.lab.obstacles import (
     shape_table,
     swinging,
 )
+from springback.interfaces.lab.second_vehicle import is_second_default, second_table
 from springback.interfaces.lab.settings import (
     VEHICLE_SETTINGS,
     LabSettings,
@@ -129,8 +130,11 @@ def _as_in_file(s: LabSettings, robot: str, user: UserScenario) -> Table:
         world = user.tables["world"]
         faces = [_with_surface(s, entry, slides=False) for entry in world["obstacles"]]
         given["world"] = world | {"obstacles": faces}
-    if not (is_default(s, "speed", "pitch", "yaw", "surface", *_SURFACE, *VEHICLE_SETTINGS)
-            and robot in ("mine", "file")):  # fmt: skip
+    if not is_second_default(s):
+        given["second"] = second_table(s, user)
+    of_first = ("speed", "pitch", "yaw", "surface", *_SURFACE, *VEHICLE_SETTINGS)
+    as_given = is_default(s, *of_first) and is_second_default(s)
+    if not as_given or robot not in ("mine", "file"):
         given["name"] = f"{robot_name(s, robot)}, {user.scenario.name}, changed"[:200]
     return given
 

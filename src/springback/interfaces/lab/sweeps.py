@@ -20,9 +20,9 @@ from springback.interfaces.lab.measures import IMPACT
 from springback.interfaces.lab.scenarios import is_piloted, lab_scenario, robots_of
 from springback.interfaces.lab.settings import LabSettings, control_of, query_of
 from springback.interfaces.lab.vehicles import robot_name
+from springback.problems import nearest_name
 from springback.results.flight import fly
 from springback.scenario.fields import fields_of
-from springback.settings import nearest_name
 
 #: Flights of a sweep for each robot (chosen).
 POINTS = 33

@@ -9,6 +9,7 @@ from pydantic import create_model
 
 from springback.contact.parameters import Mat, SurfaceSettings
 from springback.interfaces.lab.controls import ChoiceControl, SliderControl, SliderMark
+from springback.interfaces.lab.second_vehicle import second_fields
 from springback.interfaces.lab.settings import (
     ARM_ANGLE,
     ARM_COUNT,
@@ -43,6 +44,7 @@ def user_settings(user: UserScenario) -> type[LabSettings]:
         "yaw": _collision(user, "yaw", user.yaw),
         **_surfaces(user),
         **_vehicle(user),
+        **second_fields(user, WORDS),
     }
     table: type[LabSettings] = create_model("UserLabSettings", __base__=LabSettings, **fields)
     table.user = user
@@ -55,7 +57,7 @@ def _modes(user: UserScenario) -> Any:
         "As in file: your start, walls and pilot. Impact: the collision alone, straight into one "
         "wall with constant thrust. Flight: run-up, collision and recovery, with our pilot."
     )
-    default = "impact" if user.is_piloted else "file"
+    default = "impact" if user.is_piloted and user.scenario.second is None else "file"
     return Annotated[str, ChoiceControl("Fly", words, explains)], default
 
 

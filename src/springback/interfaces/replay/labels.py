@@ -10,21 +10,25 @@ from typing import Any
 from springback.interfaces.output.robots import robot_label
 from springback.interfaces.replay.scene import Scene, scene_beside, scene_of
 from springback.results.flight import Flight
+from springback.scenario.tables import SecondVehicle
 
 #: Most differing settings that are named (chosen); further ones are counted.
 MOST_NAMED = 4
+#: Name of a second vehicle that was given none.
+UNNAMED = str(SecondVehicle.model_fields["name"].default)
 
 
 def labels_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> list[str]:
     """Labels that distinguish flights: robots, else scenarios, else folders, else numbers.
 
-    Folders of the same name are given with as many folders above them as distinguish them.
+    Two vehicles in one world go by the names that their scenario gives them, if it does.  Folders
+    of the same name are given with as many folders above them as distinguish them.
 
     Args:
         flights: Flights shown side by side.
         origins: Folder or file that each was read from, if any.
     """
-    robots = [robot_label(f.scenario.vehicle.name) for f in flights]
+    robots = [_name_in_pair(f) or robot_label(f.scenario.vehicle.name) for f in flights]
     scenarios = [flight.scenario.name for flight in flights]
     for names in (robots, scenarios):
         if len(set(names)) == len(names):
@@ -36,6 +40,15 @@ def labels_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> 
             if len(set(read)) == len(read):
                 return [f"{robot} ({name})" for robot, name in zip(robots, read, strict=True)]
     return [f"{name} {k}" for k, name in enumerate(robots, start=1)]
+
+
+def _name_in_pair(flight: Flight) -> str:
+    """Name of one of two vehicles where their scenario names the second; empty otherwise."""
+    scenario = flight.scenario
+    if flight.is_second:
+        return "" if scenario.name == UNNAMED else scenario.name
+    named = scenario.second is not None and scenario.second.name != UNNAMED
+    return scenario.name if named and "name" in scenario.model_fields_set else ""
 
 
 def scenes_of(flights: Sequence[Flight], origins: Sequence[str | Path] = ()) -> list[Scene]:

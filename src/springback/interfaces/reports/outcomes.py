@@ -41,7 +41,7 @@ def outcome_table(robots: Sequence[RobotSummary], outcomes: Sequence[str] = ()) 
         )
         for one in robots
     ]  # fmt: skip
-    return ["robot", "flights", "refused", "ledger open", "success (95 %)", *words], rows
+    return ["robot", "flights", "refused", "ledger open", "success (95 % interval)", *words], rows
 
 
 def level_table(found: FieldSummary) -> Rows:

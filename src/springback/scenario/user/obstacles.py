@@ -3,7 +3,7 @@
 Contact laws take penetration from the distance and the direction of the force from the normal.  A
 shape with an error in either still flies, and the energy ledger may still close: a distance a third
 of the true one is a softer surface.  So both are sampled, in plain Python, where rays from the
-vehicle hit the surface.
+vehicle hit the surface, and beside it, as contacts are inside.
 """
 
 from __future__ import annotations
@@ -33,6 +33,18 @@ SHARE = 0.05
 #: Change of a distance on a way, over its length, from which a ray may have jumped over the surface
 #: (chosen: that of an implicit function over the length of its gradient may exceed 1).
 STEEP = 3.0
+#: Depths at which both functions are sampled beside the surface, above 0 inside [m] (chosen: few
+#: contacts are deeper).
+DEPTHS = (1e-4, -1e-4, 1e-3, -1e-3, 3e-3, -3e-3, 0.01, -0.01, 0.03)
+#: Tolerance of the distance's growth beside the surface, and the depth down to which it is checked
+#: [m] (chosen: an implicit function over the length of its gradient is no distance deep inside).
+GROWTH, SHALLOW = 0.3, 3e-3
+#: Distance of the points on the surface from which its curvature is taken [m] (chosen).
+BESIDE = 1e-3
+#: Tolerance of the normal at a depth, over depth times curvature (chosen: as above).  Where it
+#: exceeds `LOOSE`, only a normal more than 60 deg off is refused, and nothing where the depth is
+#: more than `FOCAL` of the radius of curvature.
+BEND, LOOSE, FOCAL = 3.0, 0.3, 0.5
 #: Maximum number of steps along a ray, and of the bisection that ends it.
 STEPS, HALVINGS = 150, 50
 
@@ -91,31 +103,49 @@ class _RayHit(NamedTuple):
     before: tuple[Vec, ...]  # points on the way there
 
 
-def check_own_obstacles(own: Sequence[Own], start: Vec) -> None:
+def own_names(world: WorldSettings, own: Sequence[Own]) -> list[str]:
+    """Names of the user's own obstacles, for errors: those of the world first, by their key.
+
+    Args:
+        world: Of the scenario.
+        own: Its own obstacles, and further ones.
+    """
+    keys = [
+        f"world.obstacles[{k}].shape"
+        for k, entry in enumerate(world.obstacles)
+        if isinstance(entry, UserShape)
+    ]
+    return [*keys, *(f"own[{k}]" for k in range(len(own) - len(keys)))]
+
+
+def check_own_obstacles(own: Sequence[Own], start: Vec, names: Sequence[str] = ()) -> None:
     """Reject obstacles whose distance or normal is wrong where a vehicle could touch them.
 
     Rays start at the vehicle along the axes, the diagonals and the gradient of the distance.  Where
-    they hit the surface, the normal must be a unit vector and the gradient of the distance (points
-    of a crease, which has none, are excluded).  At no point on the way may the returned distance
-    exceed the true one.  Flights that start in the same cubic metre are checked once.
+    they hit the surface, and up to 30 mm inside and 10 mm outside of it, the normal must be a unit
+    vector and along the gradient of the distance, which grows by 1 m a metre (points of a crease,
+    which has none, are excluded).  At no point on the way may the returned distance exceed the true
+    one.  Flights that start in the same cubic metre are checked once.
 
     Args:
         own: Pairs of a shape and its surface.
         start: Position of the vehicle at time 0, world [m].
+        names: Of each, for errors; by default ``own[0]``, ...
 
     Raises:
         InputError: With the obstacle, the point, what was returned and what it should have been.
     """
-    for k, entry in enumerate(own, start=1):
+    named = names or [f"own[{k}]" for k in range(len(own))]
+    for name, entry in zip(named, own, strict=True):
         pair = entry if isinstance(entry, tuple | list) and len(entry) == 2 else (None, None)
         if not isinstance(pair[0], tuple) or not isinstance(pair[1], SurfaceSettings):
             raise InputError(
-                f"own obstacle {k}: must be a pair of a shape, a NamedTuple of floats and vectors, "
+                f"{name}: must be a pair of a shape, a NamedTuple of floats and vectors, "
                 f"and its SurfaceSettings (got {shown_value(entry)})"
             )
         known = (type(pair[0]), repr(pair[0]), *(round(x) for x in start))
         if known not in _SEEN:
-            check_shape_from(start, pair[0], f"own obstacle {k}, {type(pair[0]).__name__}")
+            check_shape_from(start, pair[0], f"{name}, {type(pair[0]).__name__}")
             _SEEN.add(known)
 
 
@@ -200,20 +230,73 @@ class _Sampled:
                     "signed_distance", before,
                     f"{returned:.6g} m, and its surface is no farther than {true:.6g} m",
                 )  # fmt: skip
-        if self.is_crease(point):
-            return
         gradient = self.gradient(point)
-        if norm(gradient - n) > GRADIENT:
+        if not self.is_crease(point):
+            size, along = norm(gradient), self.along(gradient)
+            if abs(size - 1.0) > GRADIENT and norm(along - n) < 0.1:
+                self.refuse_growth(point, size)
+            if norm(gradient - n) > GRADIENT:
+                self.refuse_normal(point, n, gradient)
+        self.check_beside(point, gradient)
+
+    def along(self, gradient: Vec) -> Vec:
+        """Unit vector along a gradient; about zero if it is."""
+        return gradient * (1.0 / max(norm(gradient), UNIT))
+
+    def refuse_growth(self, point: Vec, size: float, where: str = "") -> None:
+        self.refuse(
+            "signed_distance", point,
+            f"what changes by {size:.4g} m a metre along the normal; of a distance it is 1", where,
+        )  # fmt: skip
+
+    def refuse_normal(self, point: Vec, n: Vec, gradient: Vec, where: str = "") -> None:
+        self.refuse(
+            "outward_normal", point,
+            f"{_text(n)}, and the gradient of signed_distance is {_text(gradient)}", where,
+        )  # fmt: skip
+
+    def check_beside(self, point: Vec, out: Vec) -> None:
+        """Check both functions at some depths below a point of the surface, and above it.
+
+        Args:
+            point: Of the surface.
+            out: Gradient of the distance there.
+        """
+        if not norm(out) > 0.5:  # at a ridge; its faces are met elsewhere
+            return
+        out = self.along(out)
+        bend = self.curvature(point, out)
+        for depth in DEPTHS:
+            if abs(depth) * bend > FOCAL:
+                continue
+            there = point - out * depth
+            n = self.normal(there)
+            if self.is_crease(there):
+                continue
+            where = f", {1e3 * abs(depth):g} mm {'inside' if depth > 0.0 else 'outside'},"
+            gradient, tolerance = self.gradient(there), GRADIENT + BEND * bend * abs(depth)
+            if norm(self.along(gradient) - n) > (tolerance if tolerance < LOOSE else 1.0):
+                self.refuse_normal(there, n, gradient, where)
             size = norm(gradient)
-            if abs(size - 1.0) > GRADIENT and norm(gradient * (1.0 / max(size, UNIT)) - n) < 0.1:
-                self.refuse(
-                    "signed_distance", point,
-                    f"what changes by {size:.4g} m a metre along the normal; of a distance it is 1",
-                )  # fmt: skip
-            self.refuse(
-                "outward_normal", point,
-                f"{_text(n)}, and the gradient of signed_distance is {_text(gradient)}",
-            )  # fmt: skip
+            if abs(depth) <= SHALLOW and abs(size - 1.0) > GROWTH:
+                self.refuse_growth(there, size, where)
+
+    def curvature(self, point: Vec, out: Vec) -> float:
+        """Largest curvature of the surface about a point, by differences of the gradient [1/m]."""
+        least = min(_AXES, key=lambda axis: abs(axis @ out))
+        first = least - out * (least @ out)
+        first = first * (1.0 / norm(first))
+        second = Vec(
+            out.y * first.z - out.z * first.y,
+            out.z * first.x - out.x * first.z,
+            out.x * first.y - out.y * first.x,
+        )
+        changes = [
+            norm(self.gradient(point + way * step) - self.gradient(point)) / BESIDE
+            for way in (first, second)
+            for step in (-BESIDE, BESIDE)
+        ]
+        return float(max(changes))
 
     def is_crease(self, point: Vec) -> bool:
         """True if the gradient differs between both sides of a point, as at an edge."""
@@ -267,8 +350,8 @@ class _Sampled:
                 f"at {_text(point)} m"
             ) from error
 
-    def refuse(self, function: str, point: Vec, what: str) -> None:
-        raise InputError(f"{self.name}: {function} at {_text(point)} m is {what}")
+    def refuse(self, function: str, point: Vec, what: str, where: str = "") -> None:
+        raise InputError(f"{self.name}: {function} at {_text(point)} m{where} is {what}")
 
 
 _AXES = (Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0), Vec(0.0, 0.0, 1.0))

@@ -31,6 +31,8 @@ def file_bytes(path: Path) -> bytes:
                 f"{path}: is too large, {size}; a file of at most {MOST_BYTES / 1e6:g} MB is read"
             )
         return path.read_bytes()
+    except InputError:  # a ValueError, too
+        raise
     except OSError as error:
         raise InputError(f"{path}: cannot be read ({error.strerror})") from None
     except ValueError as error:  # an impossible file name

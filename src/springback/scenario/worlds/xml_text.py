@@ -53,7 +53,8 @@ class XmlNode:
 
     def problem(self, what: str) -> InputError:
         """Error that names file and line."""
-        return InputError(f"{self.file}:{self.line}: {self.tag}: {what}")
+        is_named = what.startswith((f"{self.tag} [", f"{self.tag}: "))
+        return InputError(f"{self.file}:{self.line}: {'' if is_named else f'{self.tag}: '}{what}")
 
     def numbers(
         self, text: str, what: str, count: int | range, *, above: float | None = None

@@ -1,0 +1,65 @@
+"""Flights that touch nothing, where there is something to touch, are told of with what to change."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from builders.campaign_folders import rows
+from builders.plans import THROW, plan
+from springback import fly
+from springback.campaign.access import Campaign
+from springback.campaign.analysis.statistics import summary
+from springback.campaign.design.layout import lay_out
+from springback.campaign.store import open_store
+from springback.interfaces.output.no_contact import untouched_flight, untouched_line
+from springback.interfaces.reports.campaign import summary_text, write_summary
+
+SHORT = {**THROW, "simulation": {"duration": 0.01}}
+
+
+def _campaign(folder: Path, untouched: int, **given: Any) -> Campaign:
+    """A campaign of 20 flights, some of which touch nothing and fail."""
+    design = lay_out(plan(samples=20, **given))
+    columns = rows(design, 0, 20)
+    columns["outcome"] = ["no_contact" if k < untouched else "separated" for k in range(20)]
+    columns["problem"] = [""] * 20
+    with open_store(folder, design, resume=False) as store:
+        store.add(0, 20, columns)
+    return Campaign(folder)
+
+
+def test_a_flight_past_its_obstacle_says_what_to_change() -> None:
+    line = untouched_flight(fly(SHORT, executor="python"))
+    assert line.startswith(
+        "nothing was touched (no_contact): start nearer to an obstacle (start.pos"
+    )
+    assert "simulation.duration" in line
+    assert "start.touch_distance" in line
+    free = {**SHORT, "world": {"obstacles": THROW["world"]["obstacles"][1:]}}
+    # Besides the ground there is nothing.
+    assert untouched_flight(fly(free, executor="python")) == ""
+    touching = {**SHORT, "start": {**THROW["start"], "touch_distance": 0.001}}
+    assert untouched_flight(fly(touching, executor="python")) == ""
+
+
+def test_a_campaign_most_of_whose_flights_touch_nothing_says_so(tmp_path: Path) -> None:
+    found = _campaign(tmp_path / "rows", 15)
+    line = untouched_line(found)
+    assert line.startswith("15 of 20 flights touched nothing (no_contact): start nearer to an obst")
+    assert line in summary_text(summary(found)).splitlines()
+    pytest.importorskip("matplotlib")
+    write_summary(summary(found), tmp_path)
+    assert "15 of 20 flights touched nothing" in (tmp_path / "summary.html").read_text("utf-8")
+
+
+def test_one_with_few_such_flights_says_nothing(tmp_path: Path) -> None:
+    assert untouched_line(_campaign(tmp_path / "few", 9)) == ""
+
+
+def test_one_whose_flights_succeed_so_says_nothing(tmp_path: Path) -> None:
+    """As through a window: not to touch it is what is wanted."""
+    found = _campaign(tmp_path / "won", 15, success="outcome = 'no_contact'")
+    assert untouched_line(found) == ""

@@ -1,0 +1,75 @@
+"""Meshes of a size that is seldom meant are told of: as of millimetres, or thinner than two cells."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from builders.forms import box_file
+from builders.world_files import sdf, sdf_model
+from springback.errors import InputError
+from springback.scenario.files import read_scenario
+from springback.scenario.scenario import Scenario, scenario_from
+from springback.scenario.warnings import scenario_warnings
+
+
+def _scenario(tmp_path: Path, **obstacle: Any) -> Scenario:
+    lines = [f"{key} = {value!r}" for key, value in obstacle.items()]
+    path = tmp_path / "s.toml"
+    path.write_text(
+        "\n".join(['vehicle = "arq"', "[[world.obstacles]]", 'surface = "wall"', *lines])
+        + "\n[start]\nposition = [0, 0, 1]\n"
+    )
+    return read_scenario(path)
+
+
+def _plate(tmp_path: Path, **more: Any) -> Scenario:
+    file = box_file(0.02, 0.5, 0.4)
+    return _scenario(tmp_path, type="mesh", file=file, position=[3.0, 0.0, 1.0], **more)
+
+
+def test_a_mesh_of_which_coarse_cells_leave_nothing_is_refused(tmp_path: Path) -> None:
+    with pytest.raises(InputError) as refused:
+        _plate(tmp_path, cell=0.05)
+    [line] = refused.value.problems
+    assert line.endswith(
+        "s.toml:7: world.obstacles[0].cell: leaves nothing of the mesh of 0.02 x 0.5 x 0.4 m: parts "
+        "thinner than two cells are lost; must be at most 0.01 m (got 0.05 m)"
+    )
+    part = {"type": "mesh", "file": box_file(0.02, 0.5, 0.4), "cell": 0.05}
+    union = {"type": "union", "surface": "wall", "position": [3.0, 0.0, 1.0], "shapes": [part]}
+    with pytest.raises(InputError, match=r"^world\.obstacles\[0\]\.shapes\[0\]\.cell: leaves"):
+        scenario_from({"vehicle": "arq", "world": {"obstacles": [union]}})
+
+
+def test_a_mesh_thinner_than_two_cells_is_warned_of(tmp_path: Path) -> None:
+    [warning] = scenario_warnings(_plate(tmp_path, cell=0.013))
+    assert warning == (
+        "world.obstacles[0]: cells of 0.013 m are coarse for a mesh of 0.02 x 0.5 x 0.4 m: parts "
+        "thinner than two, 0.026 m, are lost; give a cell of at most 0.01 m"
+    )
+    assert scenario_warnings(_plate(tmp_path, cell=0.009)) == []
+    assert scenario_warnings(_plate(tmp_path)) == []
+
+
+def test_a_mesh_of_millimetres_is_warned_of_with_its_scale(tmp_path: Path) -> None:
+    file = box_file(250.0, 200.0, 100.0)
+    large = {"type": "mesh", "file": file, "position": [150.0, 0.0, 1.0]}
+    wide = "250 m wide; with scale = 0.001 it would be 0.25 m"
+    assert scenario_warnings(_scenario(tmp_path, **large)) == [
+        f"world.obstacles[0]: is a mesh {wide}"
+    ]
+    assert scenario_warnings(_scenario(tmp_path, **large, scale=0.001)) == []
+    with pytest.raises(InputError, match=rf"inside world\.obstacles\[0\], a mesh {wide} \(got"):
+        _scenario(tmp_path, **{**large, "position": [0.0, 0.0, 0.0]})
+
+
+def test_so_is_one_that_a_world_names(tmp_path: Path) -> None:
+    shutil.copy(box_file(250.0, 200.0, 100.0), tmp_path / "hall.stl")
+    mesh = "<mesh><uri>hall.stl</uri></mesh>"
+    (tmp_path / "w.sdf").write_text(sdf(sdf_model("a", mesh, "150 0 0 0 0 0")))
+    [warning] = scenario_warnings(_scenario(tmp_path, type="import", file="w.sdf"))
+    assert warning.startswith("world.obstacles[0], a/link/collision: is a mesh 250 m wide; with ")
