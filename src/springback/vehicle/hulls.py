@@ -14,8 +14,8 @@ from collections.abc import Sequence
 from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
+import scipy  # submodules are loaded on first use
 from pydantic import BeforeValidator, Field, model_validator
-from scipy.spatial import ConvexHull, QhullError
 
 from springback.errors import shown_value
 from springback.frames import attitude_from_euler
@@ -301,8 +301,8 @@ class PointsHull(_Hull):
                 "points",
             )
         try:
-            found = ConvexHull(at)
-        except QhullError:
+            found = scipy.spatial.ConvexHull(at)
+        except scipy.spatial.QhullError:
             raise problem("make no body that has an inside", "points") from None
         kept = [int(k) for k in found.vertices]
         number = {k: i for i, k in enumerate(kept)}

@@ -220,6 +220,17 @@ def test_help_is_quick_and_imports_nothing_heavy(folder: Path) -> None:
     assert "fly" in run("--help", cwd=folder).stdout
 
 
+def test_what_flies_loads_nothing_that_few_flights_need() -> None:
+    """Hulls of points, tables and pictures are rare; their libraries take as long as a flight."""
+    code = (
+        "import sys, springback; springback.fly; "
+        "heavy = {'scipy.spatial', 'scipy.interpolate', 'matplotlib', 'duckdb'} & set(sys.modules); "
+        "sys.exit(', '.join(heavy) or 0)"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+
+
 @needs("POSIX")
 def test_interrupt_exits_with_130_and_leaves_nothing(folder: Path) -> None:
     slow = "import time\n\ndef slow(now, seen, memory):\n    time.sleep(0.01)\n    return [3.0] * 4, memory\n"
