@@ -53,7 +53,12 @@ from springback.dynamics.hull_state import HullView as HullView
 from springback.dynamics.hull_state import friction_rate_with_hull, hull_slip_rate, hull_state
 from springback.dynamics.ledger import Work as Work
 from springback.dynamics.moving_obstacles import VehiclePlace, all_flags, bodies_rates
-from springback.dynamics.obstacle_views import BodyView, StepRates, struck_bodies, with_body_rates
+from springback.dynamics.obstacle_views import (
+    BodyView,
+    StepRates,
+    touched_obstacles,
+    with_body_rates,
+)
 from springback.dynamics.solution import Free as Free
 from springback.dynamics.solution import Slider as Slider
 from springback.dynamics.solution import System as System
@@ -407,7 +412,7 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
         world.obstacles, state.bodies, moving_bodies(obstacles), contact.reactions, engaged.bodies,
         VehiclePlace(state.position, r), world.gravity,
     )  # fmt: skip
-    seen_bodies = struck_bodies(plant.pushes, field_of(bodies, "seen"))
+    seen_bodies = touched_obstacles(plant.pushes, field_of(bodies, "seen"))
 
     blown = aerodynamics(plant.air, velocity, r, a.thrust)
     turning = omega ^ a.carried

@@ -38,20 +38,20 @@ NO_VIEW = BodyView(
 
 
 @kernel
-def _struck_by(body: BodyView, touches: float) -> BodyView:
+def _touched_by(body: BodyView, touches: float) -> BodyView:
     return replace(body, struck=touches)
 
 
 @generic
-def struck_bodies(pushed: Any, bodies: tuple[BodyView, ...]) -> tuple[BodyView, ...]:
+def touched_obstacles(pushed: Any, bodies: tuple[BodyView, ...]) -> tuple[BodyView, ...]:
     """Moving obstacles, of which parts of another vehicle tell themselves whether they touch."""
     return bodies
 
 
-@struck_bodies.register(Pushes)
+@touched_obstacles.register(Pushes)
 @kernel
 def _by_the_other(pushed: Pushes, bodies: tuple[BodyView, ...]) -> tuple[BodyView, ...]:
-    return tree_map(_struck_by, (bodies, pushed.strikers), ())
+    return tree_map(_touched_by, (bodies, pushed.strikers), ())
 
 
 class StepRates(NamedTuple):

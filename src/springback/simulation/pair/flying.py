@@ -37,7 +37,7 @@ from springback.simulation.guided import (
 )
 from springback.simulation.onboard import Avionics
 from springback.simulation.pair.parts import carried_bodies, parts_of
-from springback.simulation.pair.stepping import NoAvionics, PairSide, pair_guide
+from springback.simulation.pair.stepping import NoAvionics, PairedBuffers, pair_guide
 from springback.simulation.record import Model
 from springback.simulation.ticks import GUST_NOISE, FlightLog, layouts_of
 from springback.vehicle.state import State
@@ -83,10 +83,10 @@ class _Side:
         self.log = self._new_log()
 
     @property
-    def in_flight(self) -> PairSide:
+    def in_flight(self) -> PairedBuffers:
         """For the executor, until the log is full."""
         log = FlightLog(self.log, self.telemetry)
-        return PairSide(self.layouts, self.motion[0], self.onboard[0], self.noise, log)
+        return PairedBuffers(self.layouts, self.motion[0], self.onboard[0], self.noise, log)
 
     def result(self) -> GuidedFlown | FlightRecord:
         """Result."""

@@ -295,7 +295,7 @@ class NoAvionics(NamedTuple):
     period: float  # of the clock [s]
 
 
-class PairSide(NamedTuple):
+class PairedBuffers(NamedTuple):
     """One of two vehicles in flight."""
 
     layouts: Layouts
@@ -306,7 +306,7 @@ class PairSide(NamedTuple):
 
 
 @executor(nogil=True)
-def guided_tick(side: PairSide, tick: int, duration: float) -> None:
+def guided_tick(side: PairedBuffers, tick: int, duration: float) -> None:
     """Run sensors and pilot, and set the rotors until the next tick."""
     buffers = FlightBuffers(side.motion, side.onboard, (0,))
     sense_and_decide(side.layouts, buffers, tick, side.noise[tick], side.log)
@@ -314,7 +314,7 @@ def guided_tick(side: PairSide, tick: int, duration: float) -> None:
 
 
 @executor(nogil=True)
-def unguided_tick(side: PairSide, tick: int, duration: float) -> None:
+def unguided_tick(side: PairedBuffers, tick: int, duration: float) -> None:
     """Fly on with the same thrust until the next tick."""
     shape, b = side.layouts.shape, side.motion
     end, row = (tick + 1) * side.onboard[0], places(shape, 1).status
@@ -327,7 +327,7 @@ begin_first = begin_second = guided_tick
 
 
 @executor(nogil=True)
-def guide_both(first: PairSide, second: PairSide, ticks: TickRange) -> None:
+def guide_both(first: PairedBuffers, second: PairedBuffers, ticks: TickRange) -> None:
     """Fly two vehicles from tick to tick.
 
     It returns when the ticks are done, when a log is full, and after many steps within a tick;
