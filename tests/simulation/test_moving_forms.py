@@ -89,7 +89,10 @@ def test_each_part_of_a_union_that_moves_has_its_surface() -> None:
 
 
 def test_a_union_is_thrown_as_the_body_that_it_is() -> None:
-    """Two halves of a box, thrown: mass, centre and inertia are those of the whole one."""
+    """Two halves of a box, thrown: mass, centre and inertia are those of the whole one.
+
+    They meet in a groove of two round edges, into which a circle reaches a little: hence 1e-4.
+    """
     free = {"type": "free", "mass": 0.4, "velocity": [-2.0, 0.0, 0.0]}
     whole = {
         "type": "box",
@@ -106,7 +109,7 @@ def test_a_union_is_thrown_as_the_body_that_it_is() -> None:
     )
     assert one.measures["contacts"] >= 1.0
     for name in nonempty(("impulse_x", "impulse_y", "touch_time", "impact_peak_acceleration")):
-        assert one.measures[name] == pytest.approx(other.measures[name], rel=1e-3, abs=1e-6), name  # type: ignore[literal-required]
+        assert one.measures[name] == pytest.approx(other.measures[name], rel=1e-4), name  # type: ignore[literal-required]
 
 
 @pytest.mark.parametrize("name", ["mesh", "cells", "heightmap"])
