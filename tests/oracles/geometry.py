@@ -38,6 +38,7 @@ Array = NDArray[np.float64]
 
 #: Parts of a vehicle and their numbers, as the routine knows them.
 PARTS = {"ring": 0.0, "tip": 1.0, "sphere": 2.0}
+NUMBERS = {**PARTS, "disc": 3.0}  # of a propeller, which has a gap but no normal
 RADIUS = 0.11
 #: Poses that are looked at together: the samples of their rings fill some 100 MB.
 CHUNK = 100
@@ -179,7 +180,7 @@ def package_faces(
         r = Mat3(*(Vec(*map(float, row)) for row in turn))
         pose = ArmPose(Vec(1.0, 0.0, 0.0), none, none)
         at = Vec(*map(float, centre))
-        table, kind = float(world.table), PARTS[part]
+        table, kind = float(world.table), NUMBERS[part]
         parts.append(VehiclePart(table, kind, rounding, RADIUS, pose, at, r, float(exact)))
     given = np.array([leaves(one) for one in parts])
     width = len(leaves(no_faces()))

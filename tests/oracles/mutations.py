@@ -60,6 +60,7 @@ FLIGHT = (
 
 #: Of moving obstacles, some milliseconds in plain Python.
 MOVING = ("dynamics/test_moving_states.py", "")
+PROPELLER = ("contact/test_propellers.py", "post or above")
 #: How often a scene is looked at.
 LOOKS = ("dynamics/test_clearance.py", "looked_at")
 #: Crossings and end stops, rule by rule.
@@ -211,7 +212,7 @@ MUTATIONS = (
     Mutation("hull, friction bound without turning", HULL_STATE, "hull.farthest * inverse.largest", "0.0 * hull.farthest", GRIP),
     Mutation("hull, no slip rate", MOTION, "cage_slips + hull_slips", "cage_slips", GRIP),
     Mutation("hull, contact rate of cages only", MOTION, "        contact.press, field_of", "        a.contact.press, field_of", GRIP),
-    Mutation("hull, gaps left out of steps", RECORD, "minimum(field_of(view.arms, \"gap\") + field_of(view.hull, \"gap\"))", "minimum(field_of(view.arms, \"gap\"))", RULES),
+    Mutation("hull, gaps left out of steps", RECORD, "field_of(view.arms, \"gap\") + field_of(view.hull, \"gap\") + discs", "field_of(view.arms, \"gap\") + discs", RULES),
     Mutation("hull, crossings left out of steps", RECORD, "field_of(view.arms, \"crossing\") + field_of(view.hull, \"crossing\")", "field_of(view.arms, \"crossing\")", RULES),
     Mutation("hull, touch is no touch", RECORD, "maximum(arm_touching + hull_touching)", "maximum(arm_touching)", RULES),
     Mutation("hull, its normal left out", MOTION, "field_of(arms, \"touched\") + field_of(hull, \"touched\")", "field_of(arms, \"touched\")", RULES),
@@ -323,6 +324,8 @@ MUTATIONS = (
     Mutation("impulse, rests never", IMPULSES, "rebound[k] = hit.surface.restitution if closing > RESTING else 0.0\n                tolerated", "rebound[k] = hit.surface.restitution\n                tolerated", IMPULSE),
     Mutation("impulse, is not put back", IMPULSES, "state.position + sunk,", "state.position,", IMPULSE),
     # scenes, looked at as seldom as is safe
+    Mutation("propeller, hits unnoticed", CLEARANCE, "(gap < AT_HIT)", "(gap < -1.0)", PROPELLER),
+    Mutation("propeller, below the arms", CLEARANCE, "0.0, disc.height", "0.0, -disc.height", PROPELLER),
     Mutation("scene, room is not used up", CLEARANCE, "left = room - HASTE", "left = room - 0.0", LOOKS),
     Mutation("scene, half the steps ahead", CLEARANCE, "ROOMY_STEPS = 8.0", "ROOMY_STEPS = 4.0", LOOKS),
     # imported worlds

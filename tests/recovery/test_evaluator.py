@@ -5,6 +5,7 @@ from collections.abc import Callable
 
 import pytest
 
+from builders.records import record_of
 from builders.resting import resting_memory
 from springback.frames import attitude_from_euler
 from springback.kernels.vectors import Quat, Vec
@@ -13,7 +14,7 @@ from springback.recovery.parameters import RecoverySettings
 from springback.recovery.pilot import RecoveryPilotMemory
 from springback.recovery.state_machine import CRUISE, LOOK, RECOVER, RETURN
 from springback.simulation.onboard import AlarmReport, UserPilotMemory, evaluator_step
-from springback.simulation.record import Contacts, blank_record
+from springback.simulation.record import Contacts
 from springback.vehicle.state import State
 
 STILL = Vec(0.0, 0.0, 0.0)
@@ -97,7 +98,7 @@ class Story:
         for _ in range(round(duration / TICK)):
             self.time += TICK
             self.last = self.time if touching else self.last
-            touch = blank_record(4).contacts._replace(
+            touch = record_of(4).contacts._replace(
                 touching=1.0 if touching else 0.0, total=self.contacts, last_touch_time=self.last
             )
             self.memory = self.sees(self.memory, self.time, now, touch, thought)

@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from builders.records import record_with
+from builders.records import record_of, record_with
 from springback.kernels.vectors import Vec
 from springback.recovery.evaluator import evaluator_at_start
 from springback.results.flight import Flight
@@ -21,7 +21,7 @@ from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
 from springback.simulation.columns import as_columns
 from springback.simulation.measures import MEASURES, Outcome, scalars_of
-from springback.simulation.record import NOT_FINITE, blank_record
+from springback.simulation.record import NOT_FINITE
 
 
 def memories() -> tuple[Any, Any, Any]:
@@ -30,7 +30,7 @@ def memories() -> tuple[Any, Any, Any]:
     scenario = scenario_from(given)
     built_avionics = build_avionics(scenario, scenario.flight_model(), scenario.start_state())
     return (
-        blank_record(4),
+        record_of(4),
         evaluator_at_start(Vec(0.0, 0.0, 1.0)),
         built_avionics.avionics.onboard.pilot,
     )

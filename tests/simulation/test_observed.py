@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from builders.records import record_with
+from builders.records import record_of, record_with
 from springback.dynamics.crossing import Crossing
 from springback.dynamics.motion import Engaged, Motion
 from springback.kernels.trees import field_of
@@ -26,7 +26,6 @@ from springback.simulation.record import (
     Model,
     Record,
     View,
-    blank_record,
 )
 
 #: Nothing is nearer [m].
@@ -46,7 +45,7 @@ def scene() -> tuple[Model, Motion, View, Record]:
     model = flight_model(scenario)
     motion = Motion(scenario.start_state(), still_work())
     view = rates_of(model, motion.state, FREE_FLIGHT, 1.0).seen
-    return model, motion, view, blank_record(4, 1, 1)
+    return model, motion, view, record_of(4, 1, 1, 4)
 
 
 def record_after(model: Model, motion: Motion, view: View, m: Record) -> Record:

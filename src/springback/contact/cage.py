@@ -18,12 +18,12 @@ from springback.contact.obstacles import (
     outward_normal,
     signed_distance,
 )
-from springback.contact.rings import FAR, LowPoint, LowPoints, lowest_on_ring
+from springback.contact.rings import FAR, LowPoint, LowPoints, lowest_in_disc, lowest_on_ring
 from springback.contact.surfaces import Surface
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import minimum, tree_map
 from springback.kernels.vectors import Mat3, Vec, norm, rotation
-from springback.vehicle.state import ArmPose, BodyState, Sphere, State
+from springback.vehicle.state import ArmPose, BodyState, Propeller, Sphere, State
 
 #: A gap closer to zero than this counts as zero [m].
 LANDED = 1e-9
@@ -244,6 +244,26 @@ def _sphere_faces(model: Sphere, shape: Any, radius: float, arm: ArmPose) -> Nea
     return NearestFaces(simple_face(gap, inward, at), simple_face(FAR, inward, at))
 
 
+@support.register(Propeller)
+@kernel
+def _disc(disc: Propeller, inward: Vec, arm_direction: Vec, radius: float) -> Support:
+    """The point of the rim that is deepest in a plane."""
+    aside = math.sqrt(inward.x * inward.x + inward.y * inward.y)
+    scale = radius / aside if aside > 0.0 else 0.0
+    at = Vec(scale * inward.x, scale * inward.y, 0.0)
+    return Support(at, at, at, 0.0)
+
+
+@nearest_faces.register(Propeller)
+@kernel
+def _disc_faces(model: Propeller, shape: Any, radius: float, arm: ArmPose) -> NearestFaces:
+    """The least distance within a disc, which tells whether it is hit; no force is there."""
+    inward, none = -outward_normal(shape, arm.lever), Vec(0.0, 0.0, 0.0)
+    at = Support(none, none, none, 0.0)
+    there = simple_face(lowest_in_disc(shape, arm.lever, radius), inward, at)
+    return NearestFaces(there, there)
+
+
 @kernel
 def face_along_normal(shape: Any, contact_point: Any, radius: float, arm: ArmPose) -> NearestFace:
     """Gap by eq. (13), along the normal at the end of the arm.
@@ -287,7 +307,7 @@ def contact_faces(
     Args:
         obstacles: In the body frame, of any shape and orientation: a tuple of `Obstacle`, each of
             which is one face, or a scene (`springback.contact.scene.faces`).
-        contact_point: `Ring` or `ArmTip`; a `Sphere` for a hull.
+        contact_point: `Ring` or `ArmTip`; a `Sphere` for a hull, a `Propeller` for its disc.
         radius: r_0 [m].
         arm: Pose of the arm.
         engaged: 0 where no force of theirs will act: a scene is then not looked through.

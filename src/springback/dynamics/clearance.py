@@ -1,17 +1,82 @@
-"""Clearance: distance between a vehicle and the nearest obstacle, and for how long it lasts."""
+"""Clearance: distance between a vehicle and the nearest obstacle, and for how long it lasts.
+
+Propellers are among its parts here: they feel no force, but are known to be hit.
+"""
 
 from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.contact.cage import obstacles_in_body_frame, obstacles_now
+from springback.contact.cage import lowest_gap, obstacles_in_body_frame, obstacles_now
 from springback.contact.hull_contact import arm_gap, hull_gap
 from springback.contact.obstacles import World
+from springback.contact.rings import FAR
 from springback.contact.scene.faces import SolidScene
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.trees import minimum, tree_map
-from springback.kernels.vectors import rotation
-from springback.vehicle.state import Airframe, Arm, State, arm_pose
+from springback.kernels.trees import fold, minimum, one_tuple, tree_map
+from springback.kernels.vectors import Vec, rotation
+from springback.vehicle.state import Airframe, Arm, ArmPose, Propeller, State, arm_pose
+
+#: A propeller this near is hit [m] (chosen: a search from outside ends at a surface).
+AT_HIT = 1e-5
+
+
+@kernel
+def _lesser(so_far: float, gap: float) -> float:
+    return gap if gap < so_far else so_far
+
+
+@kernel
+def _of_disc(disc: Propeller, obstacles: Any, pose: ArmPose, looks: float) -> float:
+    above = ArmPose(pose.direction, pose.lever + Vec(0.0, 0.0, disc.height), pose.sliding)
+    return lowest_gap(obstacles, disc, disc.radius, above) if looks > 0.0 else FAR
+
+
+@kernel
+def _of_propeller(
+    arm: Arm, length: float, rate: float, obstacles: Any, state: State, looks: float
+) -> tuple[float, ...]:
+    pose = arm_pose(arm, length, rate, state.velocity)  # only its position is used
+    return tree_map(_of_disc, (arm.propeller,), (obstacles, pose, looks))
+
+
+@kernel
+def propeller_gaps(
+    airframe: Airframe, world: World, state: State, looks: float
+) -> tuple[float, ...]:
+    """Gap between each propeller and the nearest obstacle, or less if that is far [m].
+
+    There is none for propellers of unknown size.
+
+    Args:
+        airframe: Constants of the vehicle.
+        world: The obstacles.
+        state: State of the vehicle.
+        looks: 0 where no part can touch: nothing is then looked for.
+    """
+    there = obstacles_now(world.obstacles, state.bodies)
+    obstacles = obstacles_in_body_frame(there, state.position, rotation(state.attitude))
+    arms = (airframe.arms, state.arm_length, state.arm_rate)
+    return one_tuple(tree_map(_of_propeller, arms, (obstacles, state, looks)))
+
+
+@kernel
+def _hit_time(before: float, gap: float, time: float) -> float:
+    return time if (gap < AT_HIT) & (before < 0.0) else before
+
+
+@kernel
+def first_hits(
+    before: tuple[float, ...], gaps: tuple[float, ...], time: float
+) -> tuple[float, ...]:
+    """When each propeller was first hit [s]; −1 if it was not.
+
+    Args:
+        before: As known before.
+        gaps: By `propeller_gaps`.
+        time: Now [s].
+    """
+    return tree_map(_hit_time, (before, gaps), (time,))
 
 
 @kernel
@@ -19,12 +84,13 @@ def _of_arm(
     arm: Arm, length: float, rate: float, obstacles: Any, point: Any, state: State
 ) -> float:
     pose = arm_pose(arm, length, rate, state.velocity)  # only its position is used
-    return arm_gap(arm, obstacles, point, pose)
+    cage = arm_gap(arm, obstacles, point, pose)
+    return fold(_lesser, cage, tree_map(_of_disc, (arm.propeller,), (obstacles, pose, 1.0)), ())
 
 
 @kernel
 def clearance(airframe: Airframe, world: World, contact_point: Any, state: State) -> float:
-    """The smallest gap between a cage, or the hull, and an obstacle [m]; negative in penetration.
+    """The smallest gap between a cage, propeller or hull and an obstacle [m]; negative within it.
 
     Far from all obstacles of a scene it may be less.
 

@@ -36,9 +36,9 @@ class Event(NamedTuple):
     """An event of a flight.
 
     Kinds of the whole vehicle, one after the other in every impact: ``touch``, ``peak`` and
-    ``separation``; ``bottomed`` and ``ground`` once; ``alarm`` and ``phase`` of a recovery;
-    ``settled``, when the arms are locked again; ``end``.  Kinds of one part, a cage or the hull:
-    ``contact`` and ``release``, and ``stop`` and ``stop_release`` of an arm.
+    ``separation``; ``bottomed``, ``ground`` and ``propeller`` once; ``alarm`` and ``phase`` of a
+    recovery; ``settled``, when the arms are locked again; ``end``.  Kinds of one part, a cage or
+    the hull: ``contact`` and ``release``, and ``stop`` and ``stop_release`` of an arm.
     """
 
     t: float
@@ -138,7 +138,8 @@ def _contacts(flight: FlightResult) -> list[Event]:
 
 def _failures(flight: FlightResult) -> list[Event]:
     named = {"bottomed_time": ("bottomed", "an arm reaches the end of its stroke"),
-             "ground_time": ("ground", "a cage touches the ground")}  # fmt: skip
+             "ground_time": ("ground", "a cage touches the ground"),
+             "propeller_hit_time": ("propeller", "a propeller is hit")}  # fmt: skip
     found = []
     for name, (label, text) in named.items():
         when = flight.measures.get(name)

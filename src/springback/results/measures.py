@@ -84,6 +84,10 @@ class FlightMeasures:
     """an arm reached the end of its stroke [s]"""
     ground_time: float | None
     """a cage or the hull touched the ground [s]"""
+    propeller_hit_time: float | None
+    """a propeller was hit; needs propulsion.disk_radius [s]"""
+    propellers_hit: float | None
+    """number of propellers that were hit; likewise"""
     end_time: float | None
     """end of the simulation [s]"""
     steps: float | None

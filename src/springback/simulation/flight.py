@@ -28,7 +28,7 @@ from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation.executor import TrajectoryLog, advance, has_space
 from springback.simulation.lanes import Shape, buffer_rows, empty_groups, places
-from springback.simulation.record import FLYING, FREE_FLIGHT, IMPACT, Model, Record, record_with
+from springback.simulation.record import FLYING, FREE_FLIGHT, IMPACT, Model, Record, blank_record
 from springback.simulation.thrusts import ARRIVED, ThrustTable
 from springback.vehicle.state import Bristles, State, VehicleBristles
 
@@ -106,7 +106,9 @@ def shape_of(model: Model, state: State) -> Shape:
     hulls = tuple(HullView(0.0, 0.0, 0.0, zero, none, flags, 0.0) for flags in apart.hull)
     seen = arms, hulls, 0.0, 0.0, 0.0, 0.0, (NO_VIEW,) * bodies
     view = View(zero, zero, zero, zero, zero, *seen)
-    return Shape(model, Motion(state, work_of_bodies(bodies)), view, record_with(apart))
+    propellers = sum(len(arm.propeller) for arm in model.airframe.arms)
+    record = blank_record(apart, propellers)
+    return Shape(model, Motion(state, work_of_bodies(bodies)), view, record)
 
 
 def still_state(arm_lengths: Sequence[float]) -> State:

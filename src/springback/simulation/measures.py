@@ -117,6 +117,8 @@ MEASURES = {
     "impacts": ("", "number of impacts: contacts closer together than the dwell time are one"),
     "bottomed_time": ("s", "an arm reached the end of its stroke"),
     "ground_time": ("s", "a cage or the hull touched the ground"),
+    "propeller_hit_time": ("s", "a propeller was hit; needs propulsion.disk_radius"),
+    "propellers_hit": ("", "number of propellers that were hit; likewise"),
     "end_time": ("s", "end of the simulation"),
     "steps": ("", "Runge-Kutta steps taken"),
     "energy_start": ("J", "kinetic and stored energy, gravity above the start"),
@@ -164,6 +166,20 @@ def _ratio(speed: Array, touch_speed: Array, happened: Array) -> Array:
 def _body_contacts(record: Any) -> Array:
     """Number of contacts of the main body; NaN without a hull, because it is unknown then."""
     return next(iter(record.contacts.hull), np.full_like(record.contacts.total, np.nan))
+
+
+def _first_hit(contacts: Any) -> Array:
+    """When the first propeller was hit [s]; NaN if none was, or their size is unknown."""
+    unknown = np.full_like(contacts.total, np.nan)
+    times = [_time(time) for time in contacts.propellers]
+    return np.asarray(np.fmin.reduce([unknown, *times]))
+
+
+def _number_hit(contacts: Any) -> Array:
+    """Number of propellers that were hit; NaN if their size is unknown."""
+    times = contacts.propellers
+    unknown = np.full_like(contacts.total, np.nan)
+    return np.asarray(sum(1.0 * (time >= 0.0) for time in times)) if times else unknown
 
 
 def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str, Array]:
@@ -220,6 +236,8 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
         "impacts": contacts.impacts,
         "bottomed_time": _time(contacts.bottomed_time),
         "ground_time": _time(contacts.ground_time),
+        "propeller_hit_time": _first_hit(contacts),
+        "propellers_hit": _number_hit(contacts),
         "end_time": stepping.time,
         "steps": stepping.steps,
         "energy_start": balance.start,

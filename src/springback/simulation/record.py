@@ -9,7 +9,15 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.contact.obstacles import World
-from springback.dynamics.clearance import HASTE, Search, clearance, has_room, search_at
+from springback.dynamics.clearance import (
+    HASTE,
+    Search,
+    clearance,
+    first_hits,
+    has_room,
+    propeller_gaps,
+    search_at,
+)
 from springback.dynamics.crossing import crossing, sooner, soonest, time_to
 from springback.dynamics.motion import LANDED, ArmView, Engaged, Motion, View
 from springback.dynamics.obstacle_views import faster, first_hit, nearer, speed_beside
@@ -106,6 +114,7 @@ class Contacts(NamedTuple):
     duration: float  # total time in contact [s]
     bottomed_time: float  # an arm reached the end of its stroke [s]
     ground_time: float  # a cage, or the hull, touched the ground [s]
+    propellers: tuple[float, ...]  # each was first hit [s]; empty if their size is unknown
 
 
 class FirstImpact(NamedTuple):
@@ -136,18 +145,10 @@ class Record(NamedTuple):
     recent: Recent  # the last two instants, for peaks between instants
 
 
-def blank_record(
-    arm_count: int, obstacle_count: int = 1, hull_count: int = 0, body_count: int = 0
-) -> Record:
-    """Record of a flight that has not begun, of parts that all have as many faces."""
-    apart = (0.0,) * obstacle_count
-    bodies = (0.0,) * body_count
-    return record_with(Engaged((apart,) * arm_count, (apart,) * hull_count, bodies))
-
-
-def record_with(engaged: Engaged) -> Record:
-    """Record of a flight that has not begun; ``engaged`` are its contact flags, all zero."""
-    never, none, hull = -1.0, (0.0,) * len(engaged.arms), (0.0,) * len(engaged.hull)
+def blank_record(engaged: Engaged, propellers: int) -> Record:
+    """Record of a flight that has not begun, by its contact flags and the number of propellers."""
+    never, hits = -1.0, (-1.0,) * propellers
+    none, hull = (0.0,) * len(engaged.arms), (0.0,) * len(engaged.hull)
     peaks = Peaks(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     bodies = (0.0,) * len(engaged.bodies)
     first_impact = FirstImpact(
@@ -155,7 +156,7 @@ def record_with(engaged: Engaged) -> Record:
     )
     return Record(
         Stepping(0.0, 0.0, FLYING, FREE_FLIGHT, NOTHING, MAY_LOOK, 0.0, 0.0),
-        Contacts(0.0, 0.0, engaged, none, hull, 0.0, 0.0, never, 0.0, never, never),
+        Contacts(0.0, 0.0, engaged, none, hull, 0.0, 0.0, never, 0.0, never, never, hits),
         first_impact,
         peaks,
         peaks._replace(acceleration_time=never),
@@ -337,8 +338,10 @@ def situation_of(model: Model, state: State, view: View, m: Record) -> Situation
 
 
 @kernel
-def _contacts_after(view: View, m: Record, at: Situation, step: float) -> Contacts:
-    """Contacts after an instant; ``step`` is the next step [s]."""
+def _contacts_after(
+    view: View, m: Record, at: Situation, step: float, discs: tuple[float, ...]
+) -> Contacts:
+    """Contacts after an instant; ``step`` is the next one [s], ``discs`` as of `propeller_gaps`."""
     before, time = m.contacts, m.stepping.time
     engaged = before.engaged
     bottomed = maximum(field_of(view.arms, "bottomed")) > 0.0
@@ -356,6 +359,7 @@ def _contacts_after(view: View, m: Record, at: Situation, step: float) -> Contac
         ground_time=select(
             (view.on_ground > 0.0) & (before.ground_time < 0.0), time, before.ground_time
         ),
+        propellers=first_hits(before.propellers, discs, time),
     )
 
 
@@ -417,14 +421,9 @@ def _time_to_crossing(
 
 @kernel
 def _stepping_after(
-    model: Model,
-    state: State,
-    view: View,
-    m: Record,
-    at: Situation,
-    first: FirstImpact,
-    search: Search,
-) -> Stepping:
+    model: Model, state: State, view: View, m: Record, at: Situation, first: FirstImpact,
+    search: Search, discs: tuple[float, ...],
+) -> Stepping:  # fmt: skip
     """Next step and its kind; ``first`` is after this instant."""
     timing, now, phase = model.timing, m.stepping, at.phase
     ahead = awaits_return(at.impacts, m.first_impact)
@@ -436,7 +435,7 @@ def _stepping_after(
     step = smaller(step, larger(time_to_crossing, SHORTEST * timing.impact_step))
     # No point moves faster than this, so nothing can touch unnoticed within the step.
     fastest = fastest_point(model.airframe, state.velocity, state.angular_velocity)
-    near = minimum(field_of(view.arms, "gap") + field_of(view.hull, "gap"))
+    near = minimum(field_of(view.arms, "gap") + field_of(view.hull, "gap") + discs)
     near = select(search.looks > 0.0, fold(nearer, near, view.bodies, ()), search.room)
     haste = larger(fold(faster, fastest_cage(model.airframe, state), view.bodies, ()), TINY)
     stiff = larger(view.contact_rate * PER_CONTACT_SHARE, view.slip_rate * PER_SLIP_SHARE)
@@ -472,7 +471,8 @@ def record_after(model: Model, motion: Motion, view: View, m: Record, search: Se
     state, now = motion.state, m.stepping
     at = situation_of(model, state, view, m)
     first: FirstImpact = _first_impact_after(state, view, m, at)
-    stepping: Stepping = _stepping_after(model, state, view, m, at, first, search)
+    discs = propeller_gaps(model.airframe, model.world, state, search.looks)
+    stepping: Stepping = _stepping_after(model, state, view, m, at, first, search, discs)
     sample = PeakSample(
         norm(view.acceleration),
         norm(view.specific_force),
@@ -486,7 +486,7 @@ def record_after(model: Model, motion: Motion, view: View, m: Record, search: Se
     recent = Recent(select(smooth, now.step, 0.0), m.recent.latest, sample)
     return Record(
         stepping,
-        _contacts_after(view, m, at, stepping.step),
+        _contacts_after(view, m, at, stepping.step, discs),
         first,
         peaks_after(m.peaks, peaks, True),
         peaks_after(m.impact_peaks, peaks, within),

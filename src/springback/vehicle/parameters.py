@@ -17,7 +17,7 @@ from springback.quantities import Mass, PerArm, Triple, Unit, si_number
 from springback.settings import Name, Settings, naming, problem
 from springback.vehicle.hulls import HullSettings, SphereHull, compound_hull, no_hull
 from springback.vehicle.rotors import Propulsion
-from springback.vehicle.state import Airframe, Arm, Sphere, build_airframe
+from springback.vehicle.state import Airframe, Arm, Propeller, Sphere, build_airframe
 
 #: Upper limit, to catch typing errors (chosen): a flight is compiled for each number of arms.
 MOST_ARMS = 32
@@ -339,7 +339,10 @@ class Vehicle(Settings):
     @traceable
     def airframe(self) -> Airframe:
         """Numbers for the equations of motion."""
-        arms = self.arms
+        arms, propulsion = self.arms, self.propulsion
+        disc: tuple[Propeller, ...] = ()
+        if propulsion is not None and propulsion.disk_radius is not None:
+            disc = (Propeller(propulsion.disk_radius, propulsion.disk_height),)
         built = []
         for j, angle in enumerate(arms.directions):
             slides = bool(arms.at("compliant", j))
@@ -361,6 +364,7 @@ class Vehicle(Settings):
                     cage_radius=arms.at("cage_radius", j),
                     torque_ratio=spin * arms.at("torque_ratio", j),
                     hull=self._hull_of(j + 1),
+                    propeller=disc,
                 )
             )
         if any(arm.hull for arm in built):  # arms of one structure: those without hulls get none

@@ -121,7 +121,9 @@ class Propulsion(Settings):
     figure_of_merit: Annotated[float, Unit("", above=0.0, most=1.0)] | None = None
     """Ratio of ideal induced power to battery power: propeller, motor and controller together."""
     disk_radius: Length | None = None
-    """Radius of one propeller."""
+    """Radius of one propeller: of the disc in which whatever is there is hit."""
+    disk_height: Annotated[float, Unit("m")] = 0.0
+    """Of that disc above the plane of the arms, along body z; the cages lie in that plane."""
     battery_energy: Annotated[float, Unit("J", above=0.0)] | None = None
     """Energy of the full battery, such as ``"52 Wh"``."""
     usable_share: Annotated[float, Unit("", above=0.0, most=1.0)] = 0.8

@@ -32,6 +32,13 @@ class CompoundHull(NamedTuple):
     radius: float  # of that sphere [m]
 
 
+class Propeller(NamedTuple):
+    """Disc that a propeller sweeps, parallel to the plane of the arms; what is in it is hit."""
+
+    radius: float  # [m]
+    height: float  # of its centre above the end of its arm, along body z [m]
+
+
 class Arm(NamedTuple):
     """Constants of one arm: a point mass that slides along a straight line in the body plane.
 
@@ -53,6 +60,7 @@ class Arm(NamedTuple):
     cage_radius: float  # r_0 [m]
     torque_ratio: float  # rotor torque about body z per thrust, with its sign [m]
     hull: tuple[CompoundHull, ...] = ()  # at its end, besides the cage
+    propeller: tuple[Propeller, ...] = ()  # at its end, if its size is known
 
 
 class PlanarInverse(NamedTuple):
@@ -117,8 +125,14 @@ def _farther(so_far: float, hull: Any) -> float:
 
 
 @kernel
+def _beyond_disc(so_far: float, disc: Propeller) -> float:
+    return larger(disc.radius + abs(disc.height), so_far)
+
+
+@kernel
 def _farthest(arm: Arm) -> float:
-    return arm.length + fold(_farther, arm.cage_radius, arm.hull, ())
+    besides = fold(_farther, arm.cage_radius, arm.hull, ())
+    return arm.length + fold(_beyond_disc, besides, arm.propeller, ())
 
 
 @kernel

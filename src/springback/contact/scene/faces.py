@@ -35,7 +35,7 @@ from springback.contact.obstacles import (
     obstacle_in_body_frame,
     signed_distance,
 )
-from springback.contact.rings import FAR, LowPoint, lowest_on_ring, on_ring
+from springback.contact.rings import FAR, LowPoint, lowest_in_disc, lowest_on_ring, on_ring
 from springback.contact.scene.nearest import (
     HALF_SPACES,
     HEADER,
@@ -68,7 +68,7 @@ from springback.kernels.compiler import generic, kernel
 from springback.kernels.routines import Routine, call_routine, number_at
 from springback.kernels.trees import minimum, tree_map
 from springback.kernels.vectors import Mat3, Vec, norm
-from springback.vehicle.state import ArmPose, Sphere
+from springback.vehicle.state import ArmPose, Propeller, Sphere
 
 #: Faces that one part of a vehicle can meet at the same time: a corner has three.
 FACES = 3
@@ -82,7 +82,9 @@ ON_SURFACE = 1e-9
 #: Numbers of a surface.
 SURFACE_WIDTH = 10
 #: Kinds of parts, by number.
-RING, TIP, SPHERE = 0.0, 1.0, 2.0
+RING, TIP, SPHERE, DISC = 0.0, 1.0, 2.0, 3.0
+#: Gaps of a propeller above this are lower bounds [m] (chosen: only hits are looked for).
+DISC_BELOW = 2e-3
 
 
 class SolidScene(NamedTuple):
@@ -114,7 +116,7 @@ class VehiclePart(NamedTuple):
     """A part of a vehicle for which faces are looked for."""
 
     table: float
-    kind: float  # RING, TIP or SPHERE
+    kind: float  # RING, TIP, SPHERE or DISC
     rounding: float  # of a ring
     radius: float  # [m]
     pose: ArmPose
@@ -184,6 +186,8 @@ def _on_plane(part: VehiclePart, plane: Plane) -> NearestFace:
         return face_along_normal(plane, Ring(part.rounding), part.radius, pose)
     if part.kind == TIP:
         return face_along_normal(plane, ArmTip(0.0), part.radius, pose)
+    if part.kind == DISC:
+        return face_along_normal(plane, Propeller(0.0, 0.0), part.radius, pose)
     return _of_sphere(Face(signed_distance(plane, pose.lever), plane.normal), part.radius)
 
 
@@ -346,6 +350,15 @@ def _with_sphere(
 
 
 @kernel
+def _with_disc(found: ThreeFaces, part: VehiclePart, near: NearestSolids, row: int) -> ThreeFaces:
+    """Faces with one as near as solids are to a propeller's disc."""
+    view = InBodyFrame(near, part.position, part.r)
+    gap = lowest_in_disc(view, part.pose.lever, part.radius)
+    in_body = Face(gap + part.radius, Vec(0.0, 0.0, 1.0))
+    return _with_face(found, part.table, row, _of_sphere(in_body, part.radius))
+
+
+@kernel
 def scene_faces(part: VehiclePart) -> ThreeFaces:
     """The faces that a part of a vehicle meets, or is next to, in body axes."""
     table = part.table
@@ -354,7 +367,8 @@ def scene_faces(part: VehiclePart) -> ThreeFaces:
         centre = part.position + part.r @ part.pose.lever
         nearest = nearest_solid(table, centre)
         bound = nearest.gap - part.radius
-        if (part.exact == 0.0) & (bound > EXACT_BELOW):
+        known = DISC_BELOW if part.kind == DISC else EXACT_BELOW
+        if (part.exact == 0.0) & (bound > known):
             there = solid_face(table, nearest.row, centre)
             in_body = Face(there.gap, there.normal @ part.r)
             return _with_face(found, table, nearest.row, _of_sphere(in_body, part.radius))
@@ -363,6 +377,8 @@ def scene_faces(part: VehiclePart) -> ThreeFaces:
             return _with_ring(found, part, near, centre)
         if part.kind == TIP:
             return _with_tip(found, part, near, centre)
+        if part.kind == DISC:
+            return _with_disc(found, part, near, nearest.row)
         return _with_sphere(found, part, near, centre)
     return found
 
@@ -409,6 +425,12 @@ def _tip_numbers(tip: ArmTip) -> tuple[float, float]:
 @kernel
 def _sphere_numbers(hull: Sphere) -> tuple[float, float]:
     return SPHERE, 0.0
+
+
+@part_numbers.register(Propeller)
+@kernel
+def _disc_numbers(disc: Propeller) -> tuple[float, float]:
+    return DISC, 0.0
 
 
 @kernel

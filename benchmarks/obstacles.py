@@ -1,0 +1,198 @@
+"""What obstacles cost, as ratios in one run: ``python -m benchmarks.obstacles``.
+
+The same flights of ARQ end at a wall that is a half-space, a box, a mesh or a height map, at a pole,
+at a pole with many trunks around, or at another ARQ.  Every kind flies once in every round, one
+after the other, on one thread; ratios are those within a round, and their medians are shown.
+"""
+
+from __future__ import annotations
+
+import argparse
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import trimesh
+
+from benchmarks.run import machine
+from springback.batch.scenarios import fly_scenarios
+
+Table = dict[str, Any]
+
+AT = 2.75  # distance of all surfaces [m]
+SPEED, SCATTER = 2.0, 0.3  # [m/s]
+BARE, GUIDED = 0.3, 6.0  # duration [s]
+#: Ratio of a kind to another one that the project wants at most; guided flights.
+WANTED = (
+    ("mesh", "planes", 2.0),
+    ("height map", "planes", 2.0),
+    ("mesh", "plane in a scene", 2.0),
+    ("height map", "plane in a scene", 2.0),
+    ("200 trunks", "pole", 1.5),
+    ("10 000 trunks", "pole", 3.0),
+    ("second vehicle", "plane in a scene", 2.0),
+)
+NEW_SCENE = 2.0  # [s], from a new file to its first result
+
+_PROGRAM = "import sys, springback; print(springback.fly(sys.argv[1]).outcome)"
+_SCENE = """
+vehicle = "arq"
+reference = {{type = "run-up", speed = {speed}}}
+recovery = {{}}
+[[world.obstacles]]
+type = "pole"
+position = [2.85, 0.05, 1.0]
+radius = "{radius} mm"
+surface = "wall"
+[[world.obstacles]]
+type = "ground"
+surface = "wall"
+"""
+
+
+class Kind(NamedTuple):
+    """Scene of a kind of flight."""
+
+    name: str
+    obstacles: list[Table]
+    second: bool = False
+
+
+def _trunks(count: int) -> list[Table]:
+    """Poles on a square grid beyond the one that is hit."""
+    side = round(count**0.5)
+    places = [(4.0 + k // side, k % side - 0.5 * side) for k in range(count)]
+    return [
+        {"type": "pole", "position": [x, y, 1.0], "radius": 0.1, "surface": "wall"}
+        for x, y in places
+    ]
+
+
+def kinds(folder: Path) -> list[Kind]:
+    """All scenes; their files are written to a folder."""
+    mesh, heights = folder / "box.stl", folder / "level.npy"
+    trimesh.creation.box((1.0, 4.0, 4.0)).export(mesh)
+    np.save(heights, np.zeros((41, 41)))
+    ground = {"type": "ground", "surface": "wall"}
+    wall = {"type": "wall", "distance": AT, "surface": "wall"}
+    afar = {"type": "sphere", "position": [60.0, 0, 1.0], "radius": 0.1, "surface": "wall"}
+    box = {"position": [AT + 0.5, 0, 1.0], "surface": "wall"}
+    pole = {"type": "pole", "position": [AT + 0.1, 0, 1.0], "radius": 0.1, "surface": "wall"}
+    form = {
+        "type": "heightmap", "file": str(heights), "spacing": 0.1, "position": [AT, 0, 1.0],
+        "roll": "90 deg", "yaw": "-90 deg", "surface": "wall",
+    }  # fmt: skip
+    return [
+        Kind("planes", [wall, ground]),
+        Kind("plane in a scene", [wall, ground, afar]),
+        Kind("box", [{"type": "box", "size": [1.0, 4.0, 4.0], **box}, ground]),
+        Kind("mesh", [{"type": "mesh", "file": str(mesh), **box}, ground]),
+        Kind("height map", [form, ground]),
+        Kind("pole", [pole, ground]),
+        Kind("200 trunks", [pole, ground, *_trunks(199)]),
+        Kind("10 000 trunks", [pole, ground, *_trunks(9_990)]),
+        Kind("second vehicle", [ground], second=True),
+    ]
+
+
+def flight(kind: Kind, number: int, guided: bool) -> Table:
+    """One flight: with a pilot that runs up and recovers, or thrown at constant thrust."""
+    random = np.random.default_rng(number)
+    speed, pitch = SPEED + random.uniform(-SCATTER, SCATTER), random.uniform(-0.1, 0.3)
+    thrown = {
+        "thrust": "hover",
+        "start": {"position": [AT - 0.45, 0, 1.0], "velocity": [speed, 0, 0], "pitch": pitch},
+    }
+    table: Table = {"vehicle": "arq", "world": {"obstacles": kind.obstacles}}
+    if guided and kind.second:
+        table |= {
+            "start": {"position": [AT + 0.35, 0, 1.0]},
+            "reference": {"type": "hold", "position": [AT + 0.35, 0, 1.0]},
+        }
+    elif guided:
+        table["reference"] = {"type": "run-up", "speed": speed, "pitch": pitch}
+    else:
+        table |= thrown
+    if kind.second:
+        table["second"] = {"vehicle": "arq", **thrown}
+        if not guided:
+            still = {"position": [AT + 0.35, 0, 1.0]}
+            table["start"] = still
+    if guided:
+        table["recovery"] = {"characterisation": {"level": False}}
+    return {**table, "simulation": {"duration": GUIDED if guided else BARE}}
+
+
+def times(scenes: list[Kind], flights: int, rounds: int, guided: bool) -> dict[str, list[float]]:
+    """Processor time of a flight of each kind in each round [ms]."""
+    found: dict[str, list[float]] = {kind.name: [] for kind in scenes}
+    tables = {kind.name: [flight(kind, k, guided) for k in range(flights)] for kind in scenes}
+    for some in tables.values():
+        fly_scenarios(some)  # compiles, and reads the files
+    for _ in range(rounds):
+        for name, some in tables.items():
+            began = time.process_time()
+            fly_scenarios(some)
+            found[name].append((time.process_time() - began) / flights * 1e3)
+    return found
+
+
+def ratio(found: dict[str, list[float]], kind: str, base: str) -> float:
+    """Median over the rounds of the ratio of two kinds."""
+    return statistics.median(a / b for a, b in zip(found[kind], found[base], strict=True))
+
+
+def new_scene(folder: Path) -> list[float]:
+    """Seconds from a new file to its outcome, each in a process of its own; the first compiles."""
+    environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
+    spent = []
+    for k in range(4):
+        file = folder / f"scene{k}.toml"
+        file.write_text(_SCENE.format(speed=2.0 + 0.01 * k, radius=60 + k))
+        began = time.perf_counter()
+        subprocess.run([sys.executable, "-c", _PROGRAM, file], env=environment, check=True)
+        spent.append(time.perf_counter() - began)
+    return spent[1:]
+
+
+def main() -> None:
+    """Fly all, and print the tables."""
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument("--flights", type=int, default=64)
+    options.add_argument("--rounds", type=int, default=5)
+    given = options.parse_args()
+    print(*(f"{k}: {v}" for k, v in machine().items()), sep="\n", flush=True)
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        scenes = kinds(folder)
+        both = {what: times(scenes, given.flights, given.rounds, what == "pilot")
+                for what in ("thrown", "pilot")}  # fmt: skip
+        print("\n| | thrown, 0.3 s [ms] | / planes | with a pilot, 6 s [ms] | / planes |")
+        print("|---|---|---|---|---|")
+        for kind in scenes:
+            cells = [kind.name]
+            for found in both.values():
+                cells.append(f"{statistics.median(found[kind.name]):.2f}")
+                cells.append(f"{ratio(found, kind.name, 'planes'):.2f}")
+            print("|", " | ".join(cells), "|")
+        print("\nWith a pilot:\n")
+        for kind, base, most in WANTED:
+            found = ratio(both["pilot"], kind, base)
+            verdict = "met" if found <= most else "missed"
+            print(f"- {kind} / {base}: {found:.2f} (wanted at most {most:g}: {verdict})")
+        spent = new_scene(folder)
+        verdict = "met" if max(spent) <= NEW_SCENE else "missed"
+        said = ", ".join(f"{x:.2f}" for x in spent)
+        print(
+            f"- a new scene file to its result: {said} s (wanted at most {NEW_SCENE:g}: {verdict})"
+        )
+
+
+if __name__ == "__main__":
+    main()
