@@ -1,8 +1,11 @@
 """What obstacles cost, as ratios in one run: ``python -m benchmarks.obstacles``.
 
-The same flights of ARQ end at a wall that is a half-space, a box, a mesh or a height map, at a pole,
-at a pole with many trunks around, or at another ARQ.  Every kind flies once in every round, one
-after the other, on one thread; ratios are those within a round, and their medians are shown.
+The same flights of ARQ end at a wall that is a half-space, a box, a mesh or a height map, at a
+pole, or at a pole with many trunks around.  Every kind flies in every round, one after the other,
+on one thread; ratios are those within a round, and their medians are shown.  Each world is set up
+once for all its flights: that is left out of the time of a flight, and shown beside it.
+
+Two vehicles are flown one pair at a time, so they are compared with one vehicle alone.
 """
 
 from __future__ import annotations
@@ -20,6 +23,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import trimesh
 
+import springback
 from benchmarks.run import machine
 from springback.batch.scenarios import fly_scenarios
 
@@ -36,7 +40,6 @@ WANTED = (
     ("height map", "plane in a scene", 2.0),
     ("200 trunks", "pole", 1.5),
     ("10 000 trunks", "pole", 3.0),
-    ("second vehicle", "plane in a scene", 2.0),
 )
 NEW_SCENE = 2.0  # [s], from a new file to its first result
 
@@ -61,7 +64,13 @@ class Kind(NamedTuple):
 
     name: str
     obstacles: list[Table]
-    second: bool = False
+
+
+class Spent(NamedTuple):
+    """Processor time in a round [ms]."""
+
+    flight: float  # of one more flight
+    setup: float  # of the world, once
 
 
 def _trunks(count: int) -> list[Table]:
@@ -97,7 +106,6 @@ def kinds(folder: Path) -> list[Kind]:
         Kind("pole", [pole, ground]),
         Kind("200 trunks", [pole, ground, *_trunks(199)]),
         Kind("10 000 trunks", [pole, ground, *_trunks(9_990)]),
-        Kind("second vehicle", [ground], second=True),
     ]
 
 
@@ -110,42 +118,75 @@ def flight(kind: Kind, number: int, guided: bool) -> Table:
         "start": {"position": [AT - 0.45, 0, 1.0], "velocity": [speed, 0, 0], "pitch": pitch},
     }
     table: Table = {"vehicle": "arq", "world": {"obstacles": kind.obstacles}}
-    if guided and kind.second:
-        table |= {
-            "start": {"position": [AT + 0.35, 0, 1.0]},
-            "reference": {"type": "hold", "position": [AT + 0.35, 0, 1.0]},
-        }
-    elif guided:
-        table["reference"] = {"type": "run-up", "speed": speed, "pitch": pitch}
-    else:
-        table |= thrown
-    if kind.second:
-        table["second"] = {"vehicle": "arq", **thrown}
-        if not guided:
-            still = {"position": [AT + 0.35, 0, 1.0]}
-            table["start"] = still
-    if guided:
-        table["recovery"] = {"characterisation": {"level": False}}
-    return {**table, "simulation": {"duration": GUIDED if guided else BARE}}
+    table["simulation"] = {"duration": GUIDED if guided else BARE}
+    if not guided:
+        return table | thrown
+    table["reference"] = {"type": "run-up", "speed": speed, "pitch": pitch}
+    table["recovery"] = {"characterisation": {"level": False}}
+    return table
 
 
-def times(scenes: list[Kind], flights: int, rounds: int, guided: bool) -> dict[str, list[float]]:
-    """Processor time of a flight of each kind in each round [ms]."""
-    found: dict[str, list[float]] = {kind.name: [] for kind in scenes}
-    tables = {kind.name: [flight(kind, k, guided) for k in range(flights)] for kind in scenes}
+def _busy(tables: list[Table]) -> float:
+    """Processor time of some flights [ms]."""
+    began = time.process_time()
+    fly_scenarios(tables)
+    return (time.process_time() - began) * 1e3
+
+
+def times(scenes: list[Kind], flights: int, rounds: int, guided: bool) -> dict[str, list[Spent]]:
+    """Processor time of each kind in each round, by so many flights and twice as many."""
+    found: dict[str, list[Spent]] = {kind.name: [] for kind in scenes}
+    tables = {kind.name: [flight(kind, k, guided) for k in range(2 * flights)] for kind in scenes}
     for some in tables.values():
-        fly_scenarios(some)  # compiles, and reads the files
+        fly_scenarios(some[:8])  # compiles, and reads the files
     for _ in range(rounds):
         for name, some in tables.items():
-            began = time.process_time()
-            fly_scenarios(some)
-            found[name].append((time.process_time() - began) / flights * 1e3)
+            few, many = _busy(some[::2]), _busy(some)
+            each = (many - few) / flights
+            found[name].append(Spent(each, few - flights * each))
     return found
 
 
-def ratio(found: dict[str, list[float]], kind: str, base: str) -> float:
+def ratio(found: dict[str, list[Spent]], kind: str, base: str) -> float:
     """Median over the rounds of the ratio of two kinds."""
-    return statistics.median(a / b for a, b in zip(found[kind], found[base], strict=True))
+    both = zip(found[kind], found[base], strict=True)
+    return statistics.median(a.flight / b.flight for a, b in both)
+
+
+def hovering(duration: float, second: Table | None = None) -> Table:
+    """A robot with a pilot that hovers for some seconds, alone or beside a second one."""
+    table: Table = {
+        "vehicle": "arq", "start": {"position": [0, 0, 2.0]}, "recovery": {},
+        "reference": {"type": "hold", "position": [0, 0, 2.0]},
+        "world": {"obstacles": [{"type": "ground", "surface": "wall"}]},
+        "simulation": {"duration": duration},
+    }  # fmt: skip
+    return table if second is None else {**table, "second": second}
+
+
+def _single(table: Table) -> float:
+    """Processor time of a single flight with its trajectory [ms]."""
+    began = time.process_time()
+    springback.fly(table)
+    return (time.process_time() - began) * 1e3
+
+
+def pairs(rounds: int) -> dict[str, list[float]]:
+    """Processor time of a second of flight, of one vehicle and of two, in each round [ms]."""
+    there = {"position": [1.0, 0.05, 2.0], "yaw": "180 deg"}
+    beside = {
+        "vehicle": "arq", "start": there, "recovery": {},
+        "reference": {"type": "hold", "position": [1.0, 0.05, 2.0]},
+    }  # fmt: skip
+    kinds: dict[str, Table | None] = {"one": None, "two": beside}
+    found: dict[str, list[float]] = {name: [] for name in kinds}
+    for second in kinds.values():
+        _single(hovering(GUIDED, second))  # compiles
+    for _ in range(rounds):
+        for name, second in kinds.items():
+            more = _single(hovering(11.0 * GUIDED, second)) - _single(hovering(GUIDED, second))
+            found[name].append(more / (10.0 * GUIDED))
+    return found
 
 
 def new_scene(folder: Path) -> list[float]:
@@ -173,19 +214,28 @@ def main() -> None:
         scenes = kinds(folder)
         both = {what: times(scenes, given.flights, given.rounds, what == "pilot")
                 for what in ("thrown", "pilot")}  # fmt: skip
-        print("\n| | thrown, 0.3 s [ms] | / planes | with a pilot, 6 s [ms] | / planes |")
-        print("|---|---|---|---|---|")
+        print(
+            "\n| | thrown, 0.3 s [ms] | / planes | with a pilot, 6 s [ms] | / planes | world [ms] |"
+        )
+        print("|---|---|---|---|---|---|")
         for kind in scenes:
             cells = [kind.name]
             for found in both.values():
-                cells.append(f"{statistics.median(found[kind.name]):.2f}")
-                cells.append(f"{ratio(found, kind.name, 'planes'):.2f}")
-            print("|", " | ".join(cells), "|")
+                each = statistics.median(one.flight for one in found[kind.name])
+                cells += [f"{each:.2f}", f"{ratio(found, kind.name, 'planes'):.2f}"]
+            world = statistics.median(one.setup for one in both["thrown"][kind.name])
+            print("|", " | ".join([*cells, f"{world:.0f}"]), "|")
         print("\nWith a pilot:\n")
         for kind, base, most in WANTED:
             found = ratio(both["pilot"], kind, base)
             verdict = "met" if found <= most else "missed"
             print(f"- {kind} / {base}: {found:.2f} (wanted at most {most:g}: {verdict})")
+        one, two = pairs(given.rounds).values()
+        found = statistics.median(b / a for a, b in zip(one, two, strict=True))
+        print(
+            f"- two vehicles / one, in hover, one flight with its trajectory: {found:.2f} (wanted "
+            f"about 2); {statistics.median(two):.2f} ms a second of flight"
+        )
         spent = new_scene(folder)
         verdict = "met" if max(spent) <= NEW_SCENE else "missed"
         said = ", ".join(f"{x:.2f}" for x in spent)
