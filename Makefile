@@ -3,6 +3,9 @@
 BIN = .venv/bin
 OUT ?= reproduction
 
+# Byte code is kept, whatever the shell says: without it each program takes a second more to start.
+export PYTHONDONTWRITEBYTECODE =
+
 .PHONY: run test quick lint types layers pytest mutations geometry attack fuzz docs bench lock web clean
 
 run:
