@@ -94,7 +94,15 @@ def test_each_vehicle_has_noise_of_its_own() -> None:
 
 BALL = {"type": "sphere", "position": [3.0, 0.0, 0.0], "radius": 0.1, "surface": "wall"}
 TABLE = {"time": [0.0, 1.0], "values": [[1.0] * 4, [2.0] * 4]}
-HULL = {"preset": "arq", "hulls": [{"type": "sphere", "radius": 0.03}]}
+CORNERS = [[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0], [0, 0, 0.1]]
+
+
+def hulled(**hull: Any) -> dict[str, Any]:
+    """A vehicle with one more hull, a sphere if nothing else is said."""
+    sphere = {"type": "sphere", "radius": 0.03} if "type" not in hull else {}
+    return {"preset": "arq", "hulls": [sphere | hull]}
+
+
 WRONG: dict[str, tuple[dict[str, Any], str]] = {
     "a moving obstacle": (
         two(world={"obstacles": [BALL | {"motion": {"type": "free", "mass": 1.0}}]}),
@@ -104,9 +112,25 @@ WRONG: dict[str, tuple[dict[str, Any], str]] = {
         two(world={"obstacles": [BALL | {"surface": {"preset": "wall", "law": "impulse"}}]}),
         r"world\.obstacles\[0\]\.surface\.law: must not be impulse beside",
     ),
-    "hulls": (two(vehicle=HULL), r"^vehicle\.hulls: cannot be combined with a second vehicle"),
-    "its hulls": (
-        two({**vehicle(0.6, -1.0), "vehicle": HULL}), r"^second\.vehicle\.hulls: cannot be combined",
+    "its hull of points": (
+        two({**vehicle(0.6, -1.0), "vehicle": hulled(type="points", points=CORNERS)}),
+        r"^second\.vehicle\.hulls\[0\]\.type: must not be points on a second vehicle",
+    ),
+    "springs of other exponents": (
+        two(vehicle=hulled(surface={"stiffness": 1e4, "exponent": 1.0})),
+        r"^vehicle\.hulls\[0\]\.surface\.exponent: must be 1\.5, that of second\.surface",
+    ),
+    "its springs of other exponents": (
+        two({**vehicle(0.6, -1.0), "vehicle": hulled(surface={"stiffness": 1e4, "exponent": 1.0})}),
+        r"^second\.vehicle\.hulls\[0\]\.surface\.exponent: must be 1\.5, that of second\.surface",
+    ),
+    "a start in a hull": (
+        two({**vehicle(0.7, -1.0), "vehicle": hulled(radius=0.5)}),
+        r"^second\.start\.position: puts a part of it 0\.\d+ m inside",
+    ),
+    "a hull in a start": (
+        two(vehicle(0.7, -1.0), vehicle=hulled(radius=0.5)),
+        r"^second\.start\.position: puts a part of it 0\.\d+ m inside",
     ),
     "thrusts over time": (
         two({**vehicle(0.6, -1.0), "thrust": TABLE}), r"^second\.thrust: must be constant",

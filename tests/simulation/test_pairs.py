@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
 from pathlib import Path
 from typing import Any
 
@@ -12,7 +13,7 @@ from builders.cases import nonempty
 from builders.user_pilots import before_a_wall, pilot_file
 from springback.batch.pair import PairOfFlights, fly_pair
 from springback.contact.parameters import SurfaceSettings
-from springback.errors import InputError
+from springback.errors import InputError, LedgerWarning
 from springback.results.flight import fly
 from springback.results.measures import FlightMeasures
 from springback.scenario.scenario import scenario_from
@@ -213,3 +214,68 @@ def test_a_moving_obstacle_is_not_struck_by_two() -> None:
             "motion": {"type": "free", "mass": 1.0}}  # fmt: skip
     with pytest.raises(InputError, match=r"world.obstacles\[0\]"):
         fly_pair(tables(0.0, 1.0, obstacles=[ball]), tables(0.7, 0.0, obstacles=[ball]))
+
+
+#: Hulls on the main body, in front of the cages.
+HULLS: dict[str, dict[str, Any]] = {
+    "sphere": {"type": "sphere", "radius": 0.05, "position": [0.22, 0.0, 0.02]},
+    "ring": {"type": "ring", "radius": 0.1, "position": [0.18, 0.0, 0.0], "axis": [0, 1, 0]},
+    "capsule": {"type": "capsule", "start": [0.25, -0.1, 0.03], "end": [0.25, 0.1, 0.0],
+                "radius": 0.02},
+    "box": {"type": "box", "size": [0.4, 0.2, 0.1], "position": [0.1, 0.0, 0.02], "yaw": 0.1,
+            "edge_radius": 0.005},
+    "points": {"type": "points", "points": [[0.28, 0, 0], [0.1, 0.1, 0], [0.1, -0.1, 0],
+               [0.1, 0, 0.1]], "radius": 0.01},
+}  # fmt: skip
+
+
+def hulled(name: str) -> dict[str, Any]:
+    """An ARQ with one more hull."""
+    return {"preset": "arq", "hulls": [HULLS[name]]}
+
+
+#: Meetings in which contacts of a hull join or part in the midst of a step, so that its work is not
+#: all booked, and by how much; such flights warn (docs/howto/hulls.md).
+OPEN = {("points", "ring"): 5e-2, ("capsule", "box"): 3e-3}
+
+
+@pytest.mark.parametrize("its", [name for name in HULLS if name != "points"])
+@pytest.mark.parametrize("own", HULLS)
+def test_every_hull_meets_every_hull_of_the_other(own: str, its: str) -> None:
+    """Where both have one: both know of one touch, momentum is kept, each ledger closes."""
+    left = OPEN.get((own, its))
+    with pytest.warns(LedgerWarning) if left else nullcontext():
+        first, second = fly_pair(
+            tables(0.0, 0.25, vehicle=hulled(own), duration=0.5),
+            tables(0.65, -0.2, vehicle=hulled(its), yaw=3.0, z=0.01, y=0.01, duration=0.5),
+            surface=SURFACE,
+        )
+    assert first.measures["body_contacts"] or second.measures["body_contacts"]
+    for name in nonempty(("touch_time", "touch_speed")):
+        one, other = (flight.measures[name] for flight in (first, second))  # type: ignore[literal-required]
+        assert one is not None
+        assert one == pytest.approx(other, abs=1e-9)
+    pushes = [np.array([f.work[f"impulse.{axis}"] for axis in "xyz"]) for f in (first, second)]
+    assert np.abs(pushes[0]).max() > 0.02
+    assert np.abs(pushes[0] + pushes[1]).max() < 1e-12
+    for flight in nonempty((first, second)):
+        assert abs(flight.measures["ledger_residual"] or 0.0) < (left or 2e-5)
+
+
+def test_a_soft_hull_is_in_series_with_the_contact() -> None:
+    """Whichever of both has it: the same touch, and the same softer push."""
+    soft = {**HULLS["sphere"], "surface": {"stiffness": 2e4}}
+
+    def peak(own: dict[str, Any], its: dict[str, Any]) -> float:
+        given = ({"preset": "quad", "hulls": [hull]} for hull in (own, its))
+        first, _ = fly_pair(
+            tables(0.0, 0.8, vehicle=next(given)),
+            tables(0.7, -0.7, vehicle=next(given), yaw=np.pi),
+            surface=SURFACE,
+        )
+        return first.measures["peak_normal_force"] or 0.0
+
+    stiff = peak(HULLS["sphere"], HULLS["sphere"])
+    mine, its = peak(soft, HULLS["sphere"]), peak(HULLS["sphere"], soft)
+    assert mine == pytest.approx(its, rel=1e-6)
+    assert 0.1 * stiff < mine < 0.5 * stiff

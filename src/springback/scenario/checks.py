@@ -8,7 +8,6 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-import numpy as np
 from pydantic_core import PydanticCustomError
 
 from springback.contact.cage import (
@@ -18,12 +17,14 @@ from springback.contact.cage import (
     obstacles_now,
 )
 from springback.contact.hull_contact import arm_gap, hull_gap
+from springback.contact.library import WALL
 from springback.contact.moving.hulls import with_hulls
-from springback.contact.moving.scene import MovingScene
+from springback.contact.moving.scene import MovingScene, scene_with
 from springback.contact.obstacles import Plane, signed_distance
 from springback.contact.parameters import SurfaceSettings, faces
 from springback.contact.scene.faces import SolidScene, distance_of
 from springback.contact.shapes import Box, ShapeSettings
+from springback.contact.surfaces import AnyExponent
 from springback.contact.worlds import Own, obstacles
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.routines import routines_compiled
@@ -47,8 +48,10 @@ from springback.scenario.worlds.imported import Imported, single_obstacles
 from springback.scenario.worlds.mesh_check import check_meshes, size_words
 from springback.sensing.parameters import SensorSettings
 from springback.settings import problem
-from springback.simulation.pair.parts import EDGE, HEIGHT
+from springback.simulation.pair.parts import carried_bodies
+from springback.simulation.pair.solids import solids_of
 from springback.simulation.record import Model
+from springback.vehicle.hulls import HullSettings
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import Airframe, State, arm_pose
 
@@ -348,12 +351,14 @@ def check_second(first: ScenarioTables, second: ScenarioTables) -> None:
     for k, entry in enumerate(first.world.obstacles):
         _check_beside(f"world.obstacles[{k}]", entry)
     for path, one in (("", first), ("second.", second)):
-        if one.vehicle.hulls:
-            raise problem(
-                "cannot be combined with a second vehicle: hulls besides cages and the sphere "
-                "vehicle.hull do not touch it",
-                f"{path}vehicle.hulls",
-            )
+        for k, hull in enumerate(one.vehicle.hulls):
+            if path and hull.type == "points":
+                raise problem(
+                    "must not be points on a second vehicle, whose hulls are met as solids: use "
+                    "spheres, capsules, boxes or rings",
+                    f"{path}vehicle.hulls[{k}].type",
+                )
+            _check_in_series(first, hull, f"{path}vehicle.hulls[{k}].surface.exponent")
         if isinstance(one.thrust, ThrustSettings):
             raise problem("must be constant beside another vehicle, not a table", f"{path}thrust")
     assert first.second is not None
@@ -364,57 +369,42 @@ def check_second(first: ScenarioTables, second: ScenarioTables) -> None:
         raise problem("must not be bristle between two vehicles", "second.surface.friction_law")
 
 
-def check_apart(first: Vehicle, at: State, second: Vehicle, there: State) -> None:
+def _check_in_series(first: ScenarioTables, hull: HullSettings, field: str) -> None:
+    """Reject springs of a hull and of the contact between two vehicles whose exponents differ."""
+    assert first.second is not None
+    law = WALL if first.second.surface is None else first.second.surface
+    if hull.surface is not None and hull.surface.exponent != law.exponent_value():
+        raise problem(
+            f"must be {law.exponent_value():g}, that of second.surface: springs in series have the "
+            f"same exponent (got {hull.surface.exponent:g})",
+            field,
+        )
+
+
+def check_apart(
+    first: ScenarioTables, model: Model, at: State, second: Vehicle, there: State
+) -> None:
     """Reject a second vehicle whose parts start inside the first one, as that one meets them.
 
     Args:
-        first: The first vehicle.
+        first: Scenario of the first vehicle.
+        model: Its flight.
         at: Its state at time 0.
         second: The second vehicle.
         there: Its state at time 0.
     """
-    circle = np.linspace(0.0, 2.0 * np.pi, 96, endpoint=False)
-    ring = np.stack([np.cos(circle), np.sin(circle), np.zeros(96)], axis=1)
-    radii = np.array([first.arms.at("cage_radius", j) for j in range(first.arm_count)])
-    rims = (_ends(first)[:, None] + radii[:, None, None] * ring).reshape(-1, 3)
-    gaps = [_gap(rims, at, second, there)]
-    for ball in first.airframe().hull:
-        gaps.append(_gap(np.array([ball.centre]), at, second, there) - ball.radius)
-    deep = -min(gaps)
+    nothing, surface = obstacles((), as_scene=True), WALL.surface(AnyExponent, by_number=True)
+    assert isinstance(nothing, SolidScene)
+    still = with_hulls(nothing, RING_ROUNDING) if first.vehicle.hulls else nothing
+    solids = solids_of(second)
+    scene = scene_with(still, carried_bodies(second.airframe(), solids, there, surface))
+    deep = -min(_gaps_of(scene, model, at))
     if deep > LANDED:
         place = [round(x, 6) for x in there.position]
         raise problem(
             f"puts a part of it {deep:.3g} m inside the first vehicle (got {place} m)",
             "second.start.position",
         )
-
-
-def _gap(points: Any, at: State, other: Vehicle, there: State) -> float:
-    """Smallest distance of points in body axes from the other's discs and main body [m]."""
-    seen = np.array(at.position) + points @ _matrix(at).T - np.array(there.position)
-    seen = seen @ _matrix(there)
-    nearest = math.inf
-    for j, end in enumerate(_ends(other)):
-        away = seen - end
-        out = np.hypot(away[:, 0], away[:, 1]) - (other.arms.at("cage_radius", j) - EDGE)
-        up = np.abs(away[:, 2]) - (0.5 * HEIGHT - EDGE)
-        outside = np.hypot(np.maximum(out, 0.0), np.maximum(up, 0.0))
-        nearest = min(nearest, float(np.min(outside + np.minimum(np.maximum(out, up), 0.0))) - EDGE)
-    for ball in other.airframe().hull:
-        far = np.linalg.norm(seen - np.array(ball.centre), axis=1)
-        nearest = min(nearest, float(np.min(far)) - ball.radius)
-    return nearest
-
-
-def _ends(vehicle: Vehicle) -> Any:
-    """Ends of the arms at their free length, body axes [m], shape (arms, 3)."""
-    arms = vehicle.airframe().arms
-    return np.array([[arm.length * arm.cosine, arm.length * arm.sine, 0.0] for arm in arms])
-
-
-def _matrix(state: State) -> Any:
-    """Body axes to world axes, shape (3, 3)."""
-    return np.array(rotation(state.attitude))
 
 
 def _check_beside(path: str, entry: Any) -> None:

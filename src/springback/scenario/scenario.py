@@ -59,8 +59,8 @@ class Scenario(ScenarioTables):
         if self.second is not None:
             other = self.beside()
             check_second(self, other)
-            states = self.start_state(), other.start_state()
-            check_apart(self.vehicle, states[0], other.vehicle, states[1])
+            there = other.start_state()
+            check_apart(self, self.flight_model(), self.start_state(), other.vehicle, there)
         return self
 
     def _touches_own(self) -> bool:

@@ -15,6 +15,7 @@ from springback.contact.worlds import obstacles
 from springback.results.pair.flying import in_a_scene, law_between
 from springback.scenario.scenario import Scenario
 from springback.simulation.pair.flying import PairedFlight, beside_each_other
+from springback.simulation.pair.solids import solids_of
 from springback.simulation.playback import LoadHistory, load_history
 from springback.simulation.record import Model
 from springback.vehicle.state import Airframe
@@ -89,7 +90,13 @@ def pair_view(scenario: Scenario, first: Columns, second: Columns) -> PairView:
     """
     other = scenario.beside()
     one, two = (
-        PairedFlight(in_a_scene(each, each.flight_model()), each.start_state(), None, None)
+        PairedFlight(
+            in_a_scene(each, each.vehicle, each.flight_model()),
+            each.start_state(),
+            None,
+            None,
+            solids_of(each.vehicle),
+        )
         for each in (scenario, other)
     )
     model, opposite = (x.model for x in beside_each_other(one, two, law_between(scenario)))

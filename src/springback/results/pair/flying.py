@@ -6,17 +6,21 @@ from collections.abc import Callable
 from typing import Any
 
 from springback.contact.library import WALL
+from springback.contact.moving.hulls import with_hulls
 from springback.contact.scene.faces import SolidScene
 from springback.contact.surfaces import AnyExponent
 from springback.contact.worlds import obstacles
 from springback.errors import InputError
 from springback.scenario.build import ReadyFlight
+from springback.scenario.model import RING_ROUNDING
 from springback.scenario.scenario import Scenario
 from springback.simulation.flight import FlightRecord
 from springback.simulation.guided import GuidedFlown, ticks_of
 from springback.simulation.noise import noise_table
 from springback.simulation.pair.flying import PairedFlight, fly_both
+from springback.simulation.pair.solids import solids_of
 from springback.simulation.record import Model
+from springback.vehicle.parameters import Vehicle
 
 Flown = GuidedFlown | FlightRecord
 
@@ -60,13 +64,17 @@ def law_between(scenario: Scenario) -> Any:
 def _side(scenario: Scenario, path: str, built: ReadyFlight) -> PairedFlight:
     if built.plain is not None:
         raise InputError(f"{path}pilot: must be compiled to fly beside another vehicle")
-    return PairedFlight(in_a_scene(scenario, built.model), built.start, *_avionics(built))
+    vehicle = (scenario.beside() if path else scenario).vehicle
+    model = in_a_scene(scenario, vehicle, built.model)
+    return PairedFlight(model, built.start, *_avionics(built), solids_of(vehicle))
 
 
-def in_a_scene(scenario: Scenario, model: Model) -> Model:
-    """A model whose world is a scene, whatever is in it."""
+def in_a_scene(scenario: Scenario, vehicle: Vehicle, model: Model) -> Model:
+    """A model whose world is a scene, whatever is in it, that all hulls of a vehicle can meet."""
     scene = obstacles(scenario.world.obstacles, as_scene=True)  # type: ignore[arg-type]  # checked
     assert isinstance(scene, SolidScene)
+    if vehicle.hulls:
+        scene = with_hulls(scene, RING_ROUNDING)
     return model._replace(world=model.world._replace(obstacles=scene))
 
 

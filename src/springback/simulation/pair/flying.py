@@ -37,6 +37,7 @@ from springback.simulation.guided import (
 )
 from springback.simulation.onboard import Avionics
 from springback.simulation.pair.parts import carried_bodies, parts_of
+from springback.simulation.pair.solids import PartSolid
 from springback.simulation.pair.stepping import NoAvionics, PairedBuffers, pair_guide
 from springback.simulation.record import Model
 from springback.simulation.ticks import GUST_NOISE, FlightLog, layouts_of
@@ -50,6 +51,7 @@ class PairedFlight(NamedTuple):
     start: State
     avionics: Avionics | None
     noise: Buffer | None  # of its sensors, shape (ticks, channels)
+    solids: tuple[tuple[PartSolid, ...], ...] = ()  # of its parts, if the other one can touch them
 
 
 class _Side:
@@ -116,7 +118,7 @@ def beside_each_other(
     def beside(one: PairedFlight, other: PairedFlight, surface: Surface | None) -> PairedFlight:
         still = one.model.world.obstacles
         assert isinstance(still, SolidScene)
-        bodies = carried_bodies(other.model.airframe, other.start, surface)
+        bodies = carried_bodies(other.model.airframe, other.solids, other.start, surface)
         scene = flown_scene(scene_with(still, bodies))
         world = one.model.world._replace(obstacles=scene, laws=Forces(0.0))
         start = one.start._replace(bodies=parts_of(other.model.airframe, other.start))

@@ -1,26 +1,19 @@
-"""Parts of a vehicle as moving obstacles of another one.
-
-A cage is a disc as large as its circle, with rounded edges: between its rim and its propeller
-nothing passes.  The hull of the main body is the sphere that it is.
-"""
+"""Parts of a vehicle as moving obstacles of another one: `springback.simulation.pair.solids`."""
 
 from __future__ import annotations
+
+from typing import Any
 
 import numpy as np
 
 from springback.contact.moving.bodies import CARRIED, BodyAccelerations, MovingBody
 from springback.contact.moving.building import bodies_of
-from springback.contact.scene.solids import CAPSULE, FRUSTUM
-from springback.contact.scene.table import Solid, scene_of
 from springback.contact.surfaces import Surface
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import tree_map
 from springback.kernels.vectors import Mat3, rotation
-from springback.vehicle.state import Airframe, Arm, BodyState, Sphere, State, arm_direction
-
-#: Height of a cage as a disc, and radius of its edges [m] (chosen: a guard with its motor); pressed
-#: in deeper than half the height, it gives way across its plane.
-HEIGHT, EDGE = 0.04, 0.012
+from springback.simulation.pair.solids import PartSolid, reach_of_part, scene_of_part
+from springback.vehicle.state import Airframe, Arm, BodyState, State, arm_direction
 
 
 @kernel
@@ -34,7 +27,7 @@ def _arm_part(arm: Arm, length: float, rate: float, state: State, r: Mat3) -> Bo
 
 
 @kernel
-def _hull_part(hull: Sphere, state: State) -> BodyState:
+def _hull_part(hull: Any, state: State) -> BodyState:
     return BodyState(state.position, state.attitude, state.velocity, state.angular_velocity)
 
 
@@ -58,7 +51,7 @@ def _arm_accelerations(
 
 
 @kernel
-def _hull_accelerations(hull: Sphere, now: State) -> BodyAccelerations:
+def _hull_accelerations(hull: Any, now: State) -> BodyAccelerations:
     return BodyAccelerations(now.velocity, now.angular_velocity)
 
 
@@ -79,33 +72,25 @@ def part_accelerations(
 
 
 def carried_bodies(
-    airframe: Airframe, state: State, surface: Surface | None
+    airframe: Airframe,
+    solids: tuple[tuple[PartSolid, ...], ...],
+    state: State,
+    surface: Surface | None,
 ) -> tuple[MovingBody, ...]:
     """The parts of a vehicle as moving obstacles.
 
     Args:
         airframe: Of the vehicle.
+        solids: Of its parts, by `springback.simulation.pair.solids.solids_of`; of a vehicle that
+            nothing is to touch any will do.
         state: At time 0.
         surface: Of the contact between both vehicles; None if nothing is to touch these.
     """
-    solids = [_disc(arm.cage_radius) for arm in airframe.arms]
-    solids += [_ball(hull) for hull in airframe.hull]
     give = [_mobility(airframe, arm) for arm in airframe.arms]
     give += [_mobility(airframe, None) for _ in airframe.hull]
-    scenes = [scene_of([solid], [surface]) if surface else None for solid in solids]
-    reach = [float(np.linalg.norm(solid.centre)) + max(solid.half_lengths()) for solid in solids]
+    scenes = [scene_of_part(part, surface) if surface else None for part in solids]
+    reach = [reach_of_part(part) for part in solids]
     return bodies_of(CARRIED, scenes, reach, give, parts_of(airframe, state))
-
-
-def _disc(radius: float) -> Solid:
-    edge, half = EDGE, 0.5 * HEIGHT - EDGE
-    return Solid(
-        FRUSTUM, np.zeros(3), np.eye(3), (radius - edge, radius - edge, half), edge, 0, 0.0, 0
-    )
-
-
-def _ball(hull: Sphere) -> Solid:
-    return Solid(CAPSULE, np.array(hull.centre), np.eye(3), (0.0, hull.radius), 0.0, 0, 0.0, 0)
 
 
 def _mobility(airframe: Airframe, arm: Arm | None) -> float:
