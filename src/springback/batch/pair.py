@@ -30,7 +30,7 @@ def fly_pair(
 
     It is `fly` of the first scenario with the second vehicle as its ``second``.  Cages and hulls of
     both touch each other: those of the second are discs as thick as
-    `springback.simulation.pair.parts.HEIGHT`, with round edges, and spheres.  Force and opposite
+    `springback.simulation.pair.solids.HEIGHT`, with round edges, and spheres.  Force and opposite
     force are equal to rounding.  Energy that one vehicle gives the other is ``work_driven``.
 
     Args:

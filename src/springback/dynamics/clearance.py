@@ -1,6 +1,6 @@
 """Clearance: distance between a vehicle and the nearest obstacle, and for how long it lasts.
 
-Propellers are among its parts here: they feel no force, but are known to be hit.
+Propellers feel no force, but are known to be hit.
 """
 
 from __future__ import annotations
@@ -13,17 +13,12 @@ from springback.contact.obstacles import World
 from springback.contact.rings import FAR
 from springback.contact.scene.faces import SolidScene
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.trees import fold, minimum, one_tuple, tree_map
+from springback.kernels.trees import minimum, one_tuple, tree_map
 from springback.kernels.vectors import Vec, rotation
 from springback.vehicle.state import Airframe, Arm, ArmPose, Propeller, State, arm_pose
 
 #: A propeller this near is hit [m] (chosen: a search from outside ends at a surface).
 AT_HIT = 1e-5
-
-
-@kernel
-def _lesser(so_far: float, gap: float) -> float:
-    return gap if gap < so_far else so_far
 
 
 @kernel
@@ -84,13 +79,12 @@ def _of_arm(
     arm: Arm, length: float, rate: float, obstacles: Any, point: Any, state: State
 ) -> float:
     pose = arm_pose(arm, length, rate, state.velocity)  # only its position is used
-    cage = arm_gap(arm, obstacles, point, pose)
-    return fold(_lesser, cage, tree_map(_of_disc, (arm.propeller,), (obstacles, pose, 1.0)), ())
+    return arm_gap(arm, obstacles, point, pose)
 
 
 @kernel
 def clearance(airframe: Airframe, world: World, contact_point: Any, state: State) -> float:
-    """The smallest gap between a cage, propeller or hull and an obstacle [m]; negative within it.
+    """The smallest gap between a cage, or the hull, and an obstacle [m]; negative in penetration.
 
     Far from all obstacles of a scene it may be less.
 
@@ -106,6 +100,13 @@ def clearance(airframe: Airframe, world: World, contact_point: Any, state: State
     arms = (airframe.arms, state.arm_length, state.arm_rate)
     cages = tree_map(_of_arm, arms, (obstacles, contact_point, state))
     return minimum(cages + tree_map(hull_gap, (airframe.hull,), (obstacles,)))
+
+
+@kernel
+def room_around(airframe: Airframe, world: World, contact_point: Any, state: State) -> float:
+    """As `clearance`, of the propellers, too."""
+    near = clearance(airframe, world, contact_point, state)
+    return minimum((near,) + propeller_gaps(airframe, world, state, 1.0))  # noqa: RUF005
 
 
 #: Nothing can touch for some time if it cannot within this many steps ...

@@ -12,10 +12,10 @@ from springback.contact.obstacles import World
 from springback.dynamics.clearance import (
     HASTE,
     Search,
-    clearance,
     first_hits,
     has_room,
     propeller_gaps,
+    room_around,
     search_at,
 )
 from springback.dynamics.crossing import crossing, sooner, soonest, time_to
@@ -274,7 +274,7 @@ class ClearanceCheck(NamedTuple):
 @kernel
 def clearance_check(model: Model, state: State, m: Record) -> ClearanceCheck:
     """Kind of the next step by the distances of all parts from all obstacles."""
-    room = clearance(model.airframe, model.world, model.contact_point, state)
+    room = room_around(model.airframe, model.world, model.contact_point, state)
     fastest = fastest_point(model.airframe, state.velocity, state.angular_velocity)
     contacts, ahead = m.contacts, awaits_return(m.contacts.impacts, m.first_impact)
     quiet = is_quiet(

@@ -88,6 +88,7 @@ _PROPULSION_SOURCES = {
     " with the chosen numbers below; only its product with radius and energy is determined",
     "propulsion.disk_radius": "chosen: 5 inch propellers; the cages of 0.11 m leave room for 8 inch"
     ", which would take a figure of merit below 0.3",
+    "propulsion.disk_height": "chosen: in the plane of the cages, which protect the propellers",
     "propulsion.battery_energy": "chosen: 140 Wh/kg for the 0.37 kg of battery, as lithium polymer "
     "packs have (3 cells of 8.4 Ah weigh 0.65 kg: 143 Wh/kg)",
     "propulsion.usable_share": "chosen: 80 %, the usual rule for lithium polymer",
