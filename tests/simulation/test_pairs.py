@@ -13,10 +13,14 @@ from builders.cases import nonempty
 from builders.user_pilots import before_a_wall, pilot_file
 from springback.batch.pair import PairOfFlights, fly_pair
 from springback.contact.parameters import SurfaceSettings
+from springback.contact.scene.faces import distance_of
+from springback.contact.surfaces import AnyExponent
 from springback.errors import InputError, LedgerWarning
+from springback.kernels.vectors import Vec
 from springback.results.flight import fly
 from springback.results.measures import FlightMeasures
 from springback.scenario.scenario import scenario_from
+from springback.simulation.pair.solids import HEIGHT, scene_of_part, solids_of
 from springback.simulation.pair.stepping import NoAvionics, pair_guide
 
 SURFACE = SurfaceSettings(law="hunt-crossley", stiffness=7e4, dissipation=0.3, friction=0.5)
@@ -279,3 +283,16 @@ def test_a_soft_hull_is_in_series_with_the_contact() -> None:
     mine, its = peak(soft, HULLS["sphere"]), peak(HULLS["sphere"], soft)
     assert mine == pytest.approx(its, rel=1e-6)
     assert 0.1 * stiff < mine < 0.5 * stiff
+
+
+@pytest.mark.parametrize("radius", [0.11, 0.02, 0.005])
+def test_a_cage_of_any_size_is_a_disc_as_large(radius: float) -> None:
+    """Also where it is smaller than the rounding of the edges: its rim is where the circle is."""
+    vehicle = scenario_from(
+        {"vehicle": {"preset": "quad", "arms": {"cage_radius": radius}}, "thrust": "hover"}
+    ).vehicle
+    law = SURFACE.surface(AnyExponent, by_number=True)
+    scene = scene_of_part(solids_of(vehicle)[0], law)
+    for x in nonempty((radius, 2.0 * radius, 3.0)):
+        assert distance_of(scene, Vec(x, 0.0, 0.0)) == pytest.approx(x - radius, abs=1e-12)
+    assert distance_of(scene, Vec(0.0, 0.0, 0.1)) == pytest.approx(0.1 - 0.5 * HEIGHT, abs=1e-12)

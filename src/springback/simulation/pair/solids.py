@@ -78,8 +78,9 @@ def _solid(
 
 
 def _disc(radius: float) -> Solid:
-    flat, half = radius - EDGE, 0.5 * HEIGHT - EDGE
-    return _solid(FRUSTUM, np.zeros(3), np.eye(3), (flat, flat, half), EDGE)
+    edge = min(EDGE, 0.5 * radius)  # of a cage of a few centimetres
+    flat, half = radius - edge, 0.5 * HEIGHT - edge
+    return _solid(FRUSTUM, np.zeros(3), np.eye(3), (flat, flat, half), edge)
 
 
 def _ball(hull: Hull | SphereHull) -> Solid:
