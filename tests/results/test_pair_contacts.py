@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from builders.cases import nonempty
-from builders.pairs import turn, two
+from builders.pairs import turn, two, vehicle
 from springback.batch.pair import fly_pair
 from springback.errors import InputError
 from springback.results.flight import Flight, fly
@@ -120,3 +120,26 @@ def test_both_are_saved_in_one_folder_and_read_back(flight: Flight, tmp_path: Pa
     (tmp_path / "both/second_trajectory.parquet").unlink()
     with pytest.raises(InputError, match=r"second_trajectory\.parquet: is missing"):
         load(tmp_path / "both")
+
+
+def test_hulls_of_both_are_among_the_contacts() -> None:
+    """Opposite, and as recorded."""
+    comes = vehicle(0.7, -1.0, yaw=np.pi)
+    given = two(comes, simulation={"duration": 0.12})
+    hulls = {
+        "first": {"type": "sphere", "radius": 0.05, "position": [0.2, 0.0, 0.0]},
+        "second": {"type": "box", "size": [0.56, 0.3, 0.1]},
+    }
+    given["vehicle"] = {"preset": "arq", "hulls": [hulls["first"]]}
+    given["second"]["vehicle"] = {"preset": "arq", "hulls": [hulls["second"]]}
+    flight = fly(given)
+    assert flight.second is not None
+    where = flight.scenario, flight.columns, flight.second.columns, np.arange(len(flight.t))
+    first, second = loads_on_first(*where), loads_on_second(*where)
+    sums = [one.force.sum(axis=1) for one in (first, second)]
+    assert np.abs(sums[0]).max() > 10.0
+    assert np.abs(sums[0] + sums[1]).max() < 1e-12
+    for one, found in nonempty(((flight, first), (flight.second, second))):
+        assert np.abs(found.normal[:, 4] - one.columns["fn_body"]).max() < 1e-10
+    assert flight.columns["fn_body"].max() + flight.second.columns["fn_body"].max() > 1.0
+    assert flight.specific_force([0.1, 0.0, 0.0]).shape == (len(flight.t), 3)

@@ -9,10 +9,12 @@ import numpy as np
 import scipy  # submodules are loaded on first use
 
 from springback.contact.moving.bodies import ABSENT, CARRIED
+from springback.contact.moving.hulls import with_hulls
 from springback.contact.moving.scene import MovingScene
 from springback.contact.scene.faces import SolidScene
 from springback.contact.worlds import obstacles
 from springback.results.pair.flying import in_a_scene, law_between
+from springback.scenario.model import RING_ROUNDING
 from springback.scenario.scenario import Scenario
 from springback.simulation.pair.flying import PairedFlight, beside_each_other
 from springback.simulation.pair.solids import solids_of
@@ -77,6 +79,8 @@ class PairView(NamedTuple):
         """Model in a world of one part of the second vehicle alone."""
         nothing = obstacles((), as_scene=True)
         assert isinstance(nothing, SolidScene)
+        if self.model.world.obstacles.still.hull_query:
+            nothing = with_hulls(nothing, RING_ROUNDING)
         return _with_bodies(self.model, lambda k: k == number, nothing)
 
 
