@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from benchmarks.job import Outcome, inputs
-from springback.simulation.record import Model
+from springback.simulation.measuring.record import Model
 from springback.vehicle.state import State
 
 SOURCE = Path(__file__).with_name("reference.c")

@@ -23,7 +23,7 @@ from springback.kernels.vectors import Quat, Vec
 from springback.simulation import flight
 from springback.simulation.executor import advance
 from springback.simulation.lanes import empty_groups
-from springback.simulation.record import Model, Timing
+from springback.simulation.measuring.record import Model, Timing
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.state import State
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from benchmarks.job import Array
-from springback.simulation.record import Model
+from springback.simulation.measuring.record import Model
 from springback.vehicle.state import Arm, State
 
 #: MuJoCo asks for some inertia of every moving body [kg m²].

@@ -38,8 +38,8 @@ from springback.scenario.checks import STABLE
 from springback.scenario.model import RING_ROUNDING, settle_step
 from springback.scenario.tables import SimulationSettings
 from springback.simulation.flight import fly_many
-from springback.simulation.measures import Outcome, measures_of, outcome_of
-from springback.simulation.record import Model, Timing
+from springback.simulation.measuring.measures import Outcome, measures_of, outcome_of
+from springback.simulation.measuring.record import Model, Timing
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import State

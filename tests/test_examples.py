@@ -28,6 +28,9 @@ from builders.typed_lines import Typed, typed
 from springback.campaign.design.plan import Plan, read_plan
 from springback.campaign.running import run_campaign
 from springback.interfaces.cli.app import cli
+from springback.logs.reading import read_recording
+from springback.vehicle.materials import MATERIALS
+from springback.vehicle.stiffness import ring_stiffness, rod_second_moment
 
 ROOT = Path(__file__).parents[1]
 PAGES = [
@@ -93,6 +96,26 @@ def test_scenario_of_the_readme_flies_as_shown(tmp_path: Path) -> None:
 def test_example_scenario_flies() -> None:
     flight = springback.fly(ROOT / "examples/arq_wall.toml")
     assert "hit an obstacle" in repr(flight)
+
+
+def test_the_hexarotor_bears_with_its_springs_what_it_does_not_without() -> None:
+    """And what its comments derive from materials of the library is that."""
+    soft = springback.fly(ROOT / "examples/hexarotor.toml")
+    rigid = springback.fly(ROOT / "examples/hexarotor.toml", "vehicle.arms.compliant=false")
+    assert soft.scenario.vehicle.mass == pytest.approx(0.6)
+    assert soft.outcome is springback.Outcome.SEPARATED
+    assert rigid.outcome is springback.Outcome.BROKEN
+    assert soft.impact_arm_stroke == pytest.approx(0.025, rel=0.05)
+    assert soft.impact_peak_acceleration < 0.4 * rigid.impact_peak_acceleration
+    [wall] = soft.scenario.world.obstacles
+    young, drywall = MATERIALS["carbon"].young, MATERIALS["drywall"]
+    assert young is not None
+    assert drywall.restitution is not None
+    assert drywall.friction is not None
+    ring = ring_stiffness(young.typical, rod_second_moment(3e-3), 0.07)
+    assert wall.surface.stiffness == pytest.approx(ring, rel=1e-3)
+    assert wall.surface.restitution == pytest.approx(drywall.restitution.typical, abs=1e-3)
+    assert wall.surface.friction == pytest.approx(drywall.friction.typical, abs=1e-3)
 
 
 def test_steps_and_run_up_fly_from_an_empty_folder(tmp_path: Path) -> None:
@@ -203,6 +226,10 @@ class Reader:
         ):  # of the reader's own; they are not on the page
             assert tomllib.loads(this.text).keys() <= Plan.model_fields.keys()
             return
+        if "[[channels]]" in this.text:  # of a mapping file
+            (self.folder / this.saved_as).write_text(this.text)
+            read_recording(self.folder / this.saved_as)
+            return
         whole = re.search(r"^vehicle =|^\[vehicle\]", this.text, re.M)
         path = self.folder / (this.saved_as or "scenario.toml")
         path.write_text(this.text if whole else f'vehicle = "arq"\n{this.text}')
@@ -236,8 +263,9 @@ class Reader:
         if not words:
             return
         if words[:2] == ["python", "-m"]:
-            module = ROOT / words[2].replace(".", "/")
-            assert module.with_suffix(".py").is_file() or module.is_dir(), this.text
+            places = [root / words[2].replace(".", "/") for root in (ROOT, ROOT / "src")]
+            found = [one for one in places if one.with_suffix(".py").is_file() or one.is_dir()]
+            assert found, this.text
             return
         if words[0] == "python":
             assert (ROOT / words[1]).is_file(), this.text

@@ -12,6 +12,14 @@ from builders.cases import nonempty
 
 ROOT = Path(__file__).parents[1]
 SOURCE = sorted((ROOT / "src" / "springback").rglob("*.py"))
+#: Most of a module.
+LINES = 500
+#: Everything else that is read as code.
+OTHER = [
+    path
+    for room in ("tests", "studies", "benchmarks", "examples", "tools")
+    for path in sorted((ROOT / room).rglob("*.py"))
+]
 
 
 def test_every_public_name_exists() -> None:
@@ -22,12 +30,17 @@ def test_every_public_name_exists() -> None:
 @pytest.mark.parametrize("path", SOURCE, ids=lambda p: str(p.relative_to(ROOT)))
 def test_modules_stay_small_and_silent(path: Path) -> None:
     text = path.read_text()
-    assert len(text.splitlines()) <= 500
+    assert len(text.splitlines()) <= LINES
     if "interfaces" not in path.parts:
         assert not [
             node for node in ast.walk(ast.parse(text))
             if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "print"
         ]  # fmt: skip
+
+
+def test_tests_and_studies_stay_small() -> None:
+    for path in nonempty(OTHER):
+        assert len(path.read_text().splitlines()) <= LINES, path.relative_to(ROOT)
 
 
 def index() -> list[tuple[str, str, str]]:

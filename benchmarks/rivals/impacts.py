@@ -16,7 +16,7 @@ import numpy as np
 from benchmarks.job import reference_model, starts
 from benchmarks.mujoco_model import xml
 from springback.kernels.vectors import Quat, Vec
-from springback.simulation.record import Model
+from springback.simulation.measuring.record import Model
 from springback.vehicle.state import State
 
 METRICS = ("restitution", "peak acceleration", "contact time")

@@ -9,7 +9,7 @@ from docutils.statemachine import StringList
 from sphinx.application import Sphinx
 
 from springback.results.recovery_measures import RECOVERY_MEASURES
-from springback.simulation.measures import MEASURES, Outcome
+from springback.simulation.measuring.measures import MEASURES, Outcome
 
 
 def table(head: list[str], widths: str, rows: list[list[str]]) -> list[str]:

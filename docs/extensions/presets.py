@@ -39,6 +39,7 @@ def rows(name: str) -> list[tuple[str, str, str]]:
         value: Any = thing
         for part in path.split("."):
             value = getattr(value, part)
+        value = f"{len(value)} in all" if path == "hulls" else value
         found.append((path, shown(value), source))
     return found
 

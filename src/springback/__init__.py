@@ -54,8 +54,8 @@ if TYPE_CHECKING:
     from springback.sensing.measurement import Measurement as Measurement
     from springback.sensing.measurement import estimator_step as estimator_step
     from springback.simulation.flight import fly_many as fly_many
-    from springback.simulation.measures import MEASURES as MEASURES
-    from springback.simulation.measures import Outcome as Outcome
+    from springback.simulation.measuring.measures import MEASURES as MEASURES
+    from springback.simulation.measuring.measures import Outcome as Outcome
     from springback.simulation.onboard import PilotOutput as PilotOutput
     from springback.simulation.onboard import pilot_step as pilot_step
     from springback.simulation.onboard import telemetry_of as telemetry_of
@@ -96,7 +96,7 @@ _PUBLIC = {
     "fly_many": "simulation.flight", "plot": "interfaces.figures.plot",
     "Plan": "campaign.design.plan", "run_campaign": "campaign.running",
     "Campaign": "campaign.access", "CampaignError": "campaign.errors",
-    "Outcome": "simulation.measures", "MEASURES": "simulation.measures",
+    "Outcome": "simulation.measuring.measures", "MEASURES": "simulation.measuring.measures",
     "slider_experiments": "paper.slider", "Interpretation": "paper.slider",
     "InputError": "errors",
 }  # fmt: skip

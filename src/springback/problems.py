@@ -56,6 +56,8 @@ _KINDS = {
         "import",
     ),
     "hulls": ("sphere", "ring", "capsule", "box", "points"),
+    "joint": ("slide", "hinge"),
+    "parts": ("point", "ball", "box", "tube"),
     "motion": ("constant", "sine", "table", "free", "pendulum", "hinge"),
     "shapes": (
         "box",

@@ -18,7 +18,7 @@ from pydantic_core.core_schema import no_info_plain_validator_function
 
 from springback.errors import shown_value
 from springback.kernels.tracing import Traced, holds  # for batch set-up
-from springback.settings import problem
+from springback.settings import naming, problem
 from springback.units import UnitError, read_number
 
 #: Bounds on the magnitudes of non-zero numbers, in SI (chosen: no force, mass or length of a
@@ -132,8 +132,8 @@ class Unit:
     """SI unit and range of a field of settings, for `typing.Annotated`.
 
     The field is a float, two floats (`Pair`), three along x, y, z
-    (`Triple`), a quaternion (`Quadruple`), or one
-    for each arm (`PerArm`).
+    (`Triple`), a quaternion (`Quadruple`), one for each arm (`PerArm`), or three for all or each
+    (`TriplePerArm`).
     """
 
     unit: str
@@ -181,13 +181,22 @@ class Unit:
     def _one_or_each(self, value: Any) -> float | tuple[float, ...]:
         return tuple(map(self.read, value)) if isinstance(value, list | tuple) else self.read(value)
 
+    def _triple_or_each(self, value: Any) -> tuple[Any, ...]:
+        if isinstance(value, list | tuple) and value and isinstance(value[0], list | tuple):
+            found = []
+            for k, one in enumerate(value):
+                with naming(f"[{k}]"):
+                    found.append(self.triple(one))
+            return tuple(found)
+        return self.triple(value)
+
     def __get_pydantic_core_schema__(
         self, source: Any, handler: GetCoreSchemaHandler
     ) -> CoreSchema:
         """Numbers are read in place of pydantic."""
         readers = {
             Pair: self.pair, Triple: self.triple, Quadruple: self.quadruple,
-            PerArm: self._one_or_each,
+            PerArm: self._one_or_each, TriplePerArm: self._triple_or_each,
         }  # fmt: skip
         return no_info_plain_validator_function(readers.get(source, self.read))
 
@@ -196,6 +205,7 @@ Pair: TypeAlias = tuple[float, float]
 Triple: TypeAlias = tuple[float, float, float]
 Quadruple: TypeAlias = tuple[float, float, float, float]
 PerArm: TypeAlias = float | tuple[float, ...]
+TriplePerArm: TypeAlias = Triple | tuple[Triple, ...]
 
 Mass = Annotated[float, Unit("kg", above=0.0)]
 Length = Annotated[float, Unit("m", above=0.0)]

@@ -9,7 +9,7 @@ from typing import Any
 from attack.inputs import WHOLE, check_lines, paths_of, put, value_at
 from springback.errors import FlightWarning, InputError
 from springback.results.flight import fly
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 
 #: An impact at once.
 IMPACT = put(

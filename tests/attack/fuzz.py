@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 
 from hypothesis import HealthCheck, given, seed, settings
 
-from attack import inputs, stored, worlds
+from attack import inputs, logs, stored, worlds
 
 KINDS: dict[str, tuple[Any, Callable[..., Any]]] = {
     "scenarios": (inputs.scenarios(), inputs.scenario_tables),
@@ -35,6 +35,7 @@ KINDS: dict[str, tuple[Any, Callable[..., Any]]] = {
     "ledgers": (stored.ledgers(), stored.campaign_files),
     "parts": (stored.parts(), stored.campaign_files),
     "worlds": (worlds.worlds(), worlds.world_file),
+    "logs": (logs.logs(), logs.log_file),
 }
 ROUND = 1000
 

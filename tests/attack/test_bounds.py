@@ -108,7 +108,7 @@ def test_overrides(tmp_path: Path, word: str) -> None:
 def test_plans_in_json(tmp_path: Path, text: str) -> None:
     path = tmp_path / "plan.json"
     path.write_text(text)
-    with pytest.raises(InputError, match=r"plan\.json: "):
+    with pytest.raises(InputError, match=r"plan\.json(:1)?: "):
         read_plan(path)
 
 

@@ -26,6 +26,7 @@ from attack.inputs import (
     texts,
     timed,
 )
+from attack.logs import LogFile, log_file, logs
 from attack.stored import (
     SUMMARY,
     Changed,
@@ -86,7 +87,10 @@ def test_a_lag_far_from_its_sample_is_refused(lag: float) -> None:
 
 def test_a_run_up_without_gravity_is_refused() -> None:
     """Was a warning of 0/0, and then any run-up."""
-    with pytest.raises(InputError, match=r"run-up to 3\.5 m/s at 0 deg needs gravity"):
+    with pytest.raises(
+        InputError,
+        match=r"world\.gravity: must be more than 0",
+    ):
         scenario_tables(put(SCENARIOS[3], ("world", "gravity"), 0.0))
 
 
@@ -183,6 +187,12 @@ def test_a_manifest_that_tells_fewer_flights_than_its_part_has_rows_is_refused()
 @given(worlds())
 def test_worlds(given_file: WorldFile) -> None:
     timed(world_file, given_file)
+
+
+@settings(max_examples=400)
+@given(logs())
+def test_logs(given_file: LogFile) -> None:
+    timed(log_file, given_file)
 
 
 @settings(max_examples=120)

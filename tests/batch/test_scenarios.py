@@ -13,7 +13,7 @@ import springback
 from springback.batch.scenarios import REFUSED, Rows, fly_scenarios
 from springback.errors import InputError
 from springback.results.recovery_measures import RECOVERY_MEASURES
-from springback.simulation.measures import MEASURES
+from springback.simulation.measuring.measures import MEASURES
 from springback.studies.trials import Scatter, trial_tables
 
 WALL = {"type": "wall", "distance": 1.0, "surface": "wall"}

@@ -12,7 +12,7 @@ from builders.plans import plan
 from springback.campaign.design.layout import Design, lay_out
 from springback.campaign.store import open_store
 from springback.results.recovery_measures import RECOVERY_MEASURES
-from springback.simulation.measures import MEASURES
+from springback.simulation.measuring.measures import MEASURES
 
 
 def rows(design: Design, first: int, last: int) -> dict[str, Any]:

@@ -42,7 +42,7 @@ from springback.paper.slider import (
 from springback.results.flight import Flight
 from springback.results.recovery_measures import RECOVERY_MEASURES
 from springback.scenario.scenario import scenario_from
-from springback.simulation.measures import MEASURES, Outcome
+from springback.simulation.measuring.measures import MEASURES, Outcome
 from springback.studies.comparison import Mark, Row
 from springback.studies.trials import Trial
 

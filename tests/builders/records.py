@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from springback.dynamics.motion import Engaged
-from springback.simulation.record import Record, blank_record
+from springback.simulation.measuring.record import Record, blank_record
 
 
 def record_of(arms: int, obstacles: int = 1, hulls: int = 0, propellers: int = 0) -> Record:

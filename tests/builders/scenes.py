@@ -18,7 +18,7 @@ from springback.dynamics.air import Still
 from springback.dynamics.motion import Free, Slider
 from springback.kernels.vectors import Mat3, Vec
 from springback.simulation.flight import still_state
-from springback.simulation.record import Model, Timing
+from springback.simulation.measuring.record import Model, Timing
 from springback.vehicle.state import Arm, State, build_airframe
 
 LENGTH, CAGE = 0.19, 0.11

@@ -23,7 +23,7 @@ from springback.campaign.envelope_plan import (
 from springback.errors import InputError
 from springback.results.flight import fly
 from springback.scenario.scenario import Scenario, scenario_from
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 from springback.studies.run_ups import WALL_DISTANCE
 from springback.studies.trials import DURATION, HOME, TrialNoise, trial_tables
 

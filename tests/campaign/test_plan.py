@@ -22,7 +22,7 @@ from springback.campaign.design.sampling import POINTS, grid_point, seeds
 from springback.errors import InputError
 from springback.results.flight import Flight
 from springback.scenario.scenario import scenario_from
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 from springback.studies.trials import HOME, Scatter, TrialNoise, trial_tables
 
 METHODS = ("random", "latin-hypercube", "sobol")

@@ -23,9 +23,9 @@ from springback.kernels.vectors import Vec
 from springback.results.flight import Flight, fly
 from springback.scenario.model import contact_point_of
 from springback.scenario.scenario import scenario_from
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 from springback.vehicle.library import VEHICLES
-from springback.vehicle.state import Sphere
+from springback.vehicle.state import PartMemory, Sphere
 
 RADIUS = 0.06
 UP = Vec(0.0, 0.0, 1.0)
@@ -50,7 +50,7 @@ def met(shape: Any, centre: Vec, velocity: Vec, omega: Vec, radius: float = RADI
     rubber = surface(stiffness=1e5, friction=0.5, slip_speed=1e-3)
     hull = Sphere(centre, radius)
     (face,) = hull_faces(hull, (Obstacle(shape, rubber, 0.0),), 1.0)
-    return hull_contact(face, 1.0, (), hull, body(LEVEL, velocity, omega))
+    return hull_contact(face, 1.0, PartMemory((), ()), hull, body(LEVEL, velocity, omega))
 
 
 # -- one instant -----------------------------------------------------------------------------------

@@ -24,7 +24,7 @@ from springback.kernels.vectors import Mat3, Vec
 from springback.vehicle.hulls import compound_hull
 
 #: Poses of each hull at each shape: 14 x 5 x 8; and in the slow test (`make geometry`: 10 000).
-POSES, MANY = 8, int(os.environ.get("POSES", "150"))
+POSES, MANY = 8, int(os.environ.get("POSES", "40"))
 #: Depth of the deepest poses, and distance of the farthest [m].
 DEEP, FAR = 0.004, 0.04
 #: Shapes along whose edges and across whose openings the distance has several lowest points.

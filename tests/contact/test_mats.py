@@ -13,7 +13,7 @@ from springback.contact.worlds import obstacles
 from springback.kernels.vectors import Vec
 from springback.results.flight import fly
 from springback.simulation.flight import FlightRecord, fly_one
-from springback.simulation.measures import Outcome, measures_of
+from springback.simulation.measuring.measures import Outcome, measures_of
 
 NOWHERE = Plane(Vec(-1.0, 0.0, 0.0), 0.0)
 

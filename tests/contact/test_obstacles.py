@@ -19,8 +19,8 @@ from springback.dynamics.motion import Free
 from springback.kernels.compiler import cache_folder
 from springback.kernels.vectors import Mat3, Vec, norm
 from springback.simulation.flight import fly_one
-from springback.simulation.measures import measures_of
-from springback.simulation.record import Model
+from springback.simulation.measuring.measures import measures_of
+from springback.simulation.measuring.record import Model
 
 coordinate = st.floats(-3.0, 3.0)
 points = st.builds(Vec, coordinate, coordinate, coordinate)

@@ -40,7 +40,7 @@ from springback.kernels.vectors import (
     rotation,
 )
 from springback.results.flight import fly
-from springback.vehicle.state import ArmPose
+from springback.vehicle.state import ArmPose, PartMemory
 
 with warnings.catch_warnings():  # it compiles something of its own at once, and says so
     warnings.simplefilter("ignore")
@@ -472,7 +472,7 @@ def test_the_power_of_a_contact_is_that_of_its_spring() -> None:
             continue
         v, omega = (Vec(*map(float, chance.normal(size=3))) for _ in range(2))
         moving = ArmPose(pose.direction, pose.lever, v)
-        contact = face_contact(met, 1.0, (), moving, body(r, v, omega))
+        contact = face_contact(met, 1.0, PartMemory((), ()), moving, body(r, v, omega))
         gaps = []
         for sign in (1.0, -1.0):
             spin = quaternion_product(quaternion_of(r), exponential_map(omega * (sign * tiny)))

@@ -27,11 +27,10 @@ from springback.contact.scene.faces import (
     SCENE_FACES,
     SolidScene,
     VehiclePart,
-    distance_of,
     no_faces,
     scene_faces,
 )
-from springback.contact.scene.nearest import MOST_NEAR, nearest_solid, solids_within
+from springback.contact.scene.nearest import MOST_NEAR, distance_of, nearest_solid, solids_within
 from springback.contact.scene.solids import solid_face
 from springback.contact.shapes import Box, Capsule
 from springback.contact.worlds import obstacles

@@ -46,6 +46,8 @@ class Pressed:
     air: Still = STILL
     thrust: tuple[float, ...] = OFF
     pushes: tuple[()] = ()
+    reaction: tuple[()] = ()
+    surface_effect: tuple[()] = ()
 
     @property
     def bound(self) -> float:

@@ -53,7 +53,7 @@ def test_one_body_has_the_rates_of_the_locked_vehicle(air: Still | Air) -> None:
             )
         )
         whole = rates(model._replace(air=air), state, 0.0)
-        body = rigid_body(model.airframe, state.arm_length, model.thrust)
+        body = rigid_body(model.airframe, state.arm_length, model.thrust, ())
         x = RigidState(
             state.position, state.attitude, state.velocity, state.angular_velocity, 0.0, 0.0
         )
@@ -71,7 +71,7 @@ def flown(step: Any, air: Still | Air, h: float) -> RigidState:
     """A fifth of a second under uneven thrusts, arms of uneven lengths: its mass centre is off."""
     ready = scenario_from(scenario())
     model, s = ready.flight_model(), ready.start_state()
-    body = rigid_body(model.airframe, (0.15, 0.17, 0.19, 0.16), model.thrust)
+    body = rigid_body(model.airframe, (0.15, 0.17, 0.19, 0.16), model.thrust, ())
     x = RigidState(s.position, s.attitude, s.velocity, s.angular_velocity, 0.0, 0.0)
     for _ in range(round(0.2 / h)):
         x = step(model.guide, air, body, model.world.gravity, x, h).flight
@@ -92,7 +92,7 @@ def test_a_step_about_the_mass_centre_is_one_of_fourth_order_to_the_same_end() -
 def test_a_step_begins_with_what_is_seen(air: Still | Air) -> None:
     ready = scenario_from(scenario())
     model, s = ready.flight_model(), ready.start_state()
-    body = rigid_body(model.airframe, (0.15, 0.17, 0.19, 0.16), model.thrust)
+    body = rigid_body(model.airframe, (0.15, 0.17, 0.19, 0.16), model.thrust, ())
     x = RigidState(s.position, s.attitude, s.velocity, s.angular_velocity, 0.3, 0.2)
     known = rigid_step(model.guide, air, body, model.world.gravity, x, 1e-3).known
     expected = flight_rates(body, model.guide, air, model.world.gravity, x)

@@ -27,7 +27,7 @@ from springback.dynamics.moving_obstacles import flown_scene
 from springback.kernels.vectors import Mat3, Quat, Vec
 from springback.scenario.model import bodies_at_start
 from springback.simulation.flight import FlightRecord, fly_one
-from springback.simulation.record import Model, Timing
+from springback.simulation.measuring.record import Model, Timing
 from springback.vehicle.state import Airframe, Arm, Sphere, State, build_airframe
 
 Array = NDArray[np.float64]

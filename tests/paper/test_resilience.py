@@ -32,7 +32,7 @@ from springback.paper.resilience import (
     rate_mark,
     resilience_experiments,
 )
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 from springback.studies.comparison import Mark
 from springback.studies.run_ups import CONDITIONS
 from springback.studies.trials import HOME, Scatter

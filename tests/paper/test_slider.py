@@ -113,8 +113,10 @@ def test_a_users_reading_stands_beside_the_others(results: SliderResults) -> Non
 def test_arq_is_gentler_than_quad_at_every_speed_unless_its_arms_reach_their_end(
     results: SliderResults,
 ) -> None:
-    free = [point for point in results.sweep if point.reading != "D, stops"]
+    free = [point for point in results.sweep if point.reading not in ("D, stops", "D, latch")]
     assert all(point.arq < point.quad for point in free)
+    held = [point.speed for point in results.sweep if point.reading == "D, latch" and point.gap < 0]
+    assert held == [2.0]  # where the latch just opens, without the bar
     stopped = [point.gap for point in results.sweep if point.reading == "D, stops"]
     assert stopped[-1] < -900.0  # stops that mend the slider's peaks contradict the sweep
 
@@ -122,7 +124,7 @@ def test_arq_is_gentler_than_quad_at_every_speed_unless_its_arms_reach_their_end
 @pytest.mark.parametrize(
     ("reading", "near", "nearly", "gap"),
     [("A", 3, 4, 1016), ("B", 1, 4, 660), ("C", 2, 3, 512), ("D", 6, 6, 919),
-     ("D, letter", 6, 6, 614), ("D, stops", 6, 8, -1054)],
+     ("D, letter", 6, 6, 614), ("D, stops", 6, 8, -1054), ("D, latch", 8, 8, 584)],
 )  # fmt: skip
 def test_what_each_reading_gives_of_arqs_eight_numbers(
     results: SliderResults, reading: str, near: int, nearly: int, gap: int
@@ -154,6 +156,16 @@ def test_only_the_stops_were_fitted_to_peaks(results: SliderResults) -> None:
         assert Mark.FITTED not in {row.mark for row in results.unique_rows(reading)}
     fitted = [row for row in results.unique_rows("D, stops") if row.mark is Mark.FITTED]
     assert {row.quantity for row in fitted} == {"impact_peak_acceleration"}
+
+
+def test_the_latch_is_fitted_on_the_wall_and_predicts_the_mat(results: SliderResults) -> None:
+    """Three numbers to four; the other four follow, within 5 %."""
+    rows = results.unique_rows("D, latch")
+    marks = {"wall": Mark.FITTED, "mat": Mark.PREDICTED}
+    assert [row.mark for row in rows] == [marks[row.surface] for row in rows]
+    assert max(abs(row.deviation or 0.0) for row in rows if row.surface == "mat") < 0.05
+    gap = [row for row in results.rows if (row.experiment, row.reading) == ("Sweep", "D, latch")]
+    assert gap[0].mark is Mark.CONTRADICTED
 
 
 def test_c_a_lies_in_the_printed_range(results: SliderResults) -> None:

@@ -13,8 +13,8 @@ from springback.recovery.evaluator import NOT_YET, EvaluatorMemory, between_runs
 from springback.recovery.parameters import RecoverySettings
 from springback.recovery.pilot import RecoveryPilotMemory
 from springback.recovery.state_machine import CRUISE, LOOK, RECOVER, RETURN
+from springback.simulation.measuring.record import Contacts
 from springback.simulation.onboard import AlarmReport, UserPilotMemory, evaluator_step
-from springback.simulation.record import Contacts
 from springback.vehicle.state import State
 
 STILL = Vec(0.0, 0.0, 0.0)

@@ -13,7 +13,7 @@ from springback.recovery.state_machine import CRUISE, HOVER, LOOK, RECOVER, RETU
 from springback.results.flight import Flight
 from springback.scenario.avionics import cascade_of
 from springback.scenario.scenario import scenario_from
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 from springback.simulation.ticks import pilot_output
 from springback.studies.run_ups import run_up_scenario
 

@@ -27,7 +27,7 @@ from springback.results import measures
 from springback.results.flight import Flight, as_scenario, fly
 from springback.results.motion import angular_acceleration
 from springback.results.recovery_measures import RECOVERY_MEASURES
-from springback.simulation.measures import MEASURES
+from springback.simulation.measuring.measures import MEASURES
 from springback.vehicle.state import State
 
 ROOT = Path(__file__).parents[2]
@@ -346,3 +346,44 @@ def test_a_plate_of_a_mesh_that_is_pierced_is_told(thick: float, pierced: bool) 
     told = [str(one.message) for one in caught if one.category is ContactWarning]
     assert bool(told) == pierced
     assert not told or "the middle of world.obstacles[0], a mesh, is some 4 mm" in told[0]
+
+
+def at_a_plate(thick: float, **changes: Any) -> dict[str, Any]:
+    """Robot that meets the edge of a level plate at 2 m/s."""
+    plate = {"type": "box", "position": [3.35, 0.0, 1.0], "size": [1.2, 0.8, thick],
+             "surface": "wall"}  # fmt: skip
+    return {
+        "vehicle": "quad", "thrust": "hover", "world": {"obstacles": [plate | changes]},
+        "start": {"position": [2.4, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0], "yaw": "45 deg"},
+        "simulation": {"duration": 0.15},
+    }  # fmt: skip
+
+
+@pytest.mark.filterwarnings("ignore::springback.errors.LedgerWarning")
+def test_a_plate_that_is_pushed_through_is_told_and_nothing_bounces() -> None:
+    """Of 3 cm: half its thickness is the depth of contact; a stiffer or thicker one bounces."""
+    with pytest.warns(ContactWarning, match=r"obstacles\[0\], a box, is some 15 mm"):
+        through = fly(at_a_plate(0.03))
+    restitution = through.measures["restitution_at_separation"]
+    left = np.searchsorted(through.t, through.measures["separation_time"])
+    assert restitution is not None
+    assert restitution < 0.0
+    assert through.columns["vx"][left] == pytest.approx(-2.0 * restitution, rel=1e-2)
+    stiff = {"surface": {"preset": "wall", "stiffness": 5e6}}
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", ContactWarning)
+        for table in (at_a_plate(0.03, **stiff), at_a_plate(0.1)):
+            bounced = fly(table).measures["restitution_at_separation"]
+            assert bounced is not None
+            assert bounced > 0.4
+
+
+def test_a_thin_obstacle_far_from_the_flight_is_not_blamed() -> None:
+    """Deep contact with a thick one, and a thin pole a metre away."""
+    given = at_a_plate(0.1)
+    given["world"]["obstacles"].append(
+        {"type": "pole", "position": [2.4, 2.0, 0.0], "radius": 0.005, "surface": "wall"}
+    )
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", ContactWarning)
+        fly(given)

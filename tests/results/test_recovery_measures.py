@@ -19,9 +19,9 @@ from springback.results.recovery_measures import (
 )
 from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
-from springback.simulation.columns import as_columns
-from springback.simulation.measures import MEASURES, Outcome, scalars_of
-from springback.simulation.record import NOT_FINITE
+from springback.simulation.measuring.columns import as_columns
+from springback.simulation.measuring.measures import MEASURES, Outcome, scalars_of
+from springback.simulation.measuring.record import NOT_FINITE
 
 
 def memories() -> tuple[Any, Any, Any]:

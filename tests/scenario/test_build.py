@@ -18,7 +18,7 @@ from springback.scenario import build, model
 from springback.scenario.avionics import BuiltAvionics
 from springback.scenario.scenario import Scenario, scenario_from
 from springback.vehicle.parameters import Vehicle
-from springback.vehicle.rotors import Propulsion
+from springback.vehicle.propulsion import Propulsion
 
 GUIDED = {
     "vehicle": "arq",

@@ -16,7 +16,7 @@ from springback.scenario.avionics import build_avionics
 from springback.scenario.checks import is_clear
 from springback.scenario.model import _is_positive
 from springback.scenario.scenario import scenario_from
-from springback.simulation.record import Model
+from springback.simulation.measuring.record import Model
 from springback.vehicle.state import State, arm_pose
 
 

@@ -12,7 +12,7 @@ from springback.contact.laws.restitution import restitution
 from springback.errors import InputError
 from springback.results.flight import as_scenario, fly
 from springback.scenario.warnings import scenario_warnings
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 from springback.vehicle.library import VEHICLES
 
 BASE: dict[str, Any] = {

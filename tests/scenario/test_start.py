@@ -21,7 +21,7 @@ from springback.frames import attitude_from_euler
 from springback.kernels.vectors import Vec
 from springback.scenario.model import start_state
 from springback.scenario.scenario import scenario_from
-from springback.simulation.record import Model
+from springback.simulation.measuring.record import Model
 from springback.vehicle.state import State
 
 SHORT = {"duration": 0.02}

@@ -19,7 +19,7 @@ from springback.scenario.scenario import scenario_from
 from springback.simulation import flight as flight_module
 from springback.simulation.executor import advance
 from springback.simulation.flight import fly_many, fly_one
-from springback.simulation.record import Model
+from springback.simulation.measuring.record import Model
 from springback.simulation.thrusts import ThrustTable
 from springback.vehicle.state import State
 

@@ -8,7 +8,7 @@ import pytest
 from builders.impacts import flown, value
 from springback.results.flight import as_scenario, fly
 from springback.simulation.flight import fly_one
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 
 COMPARED = (
     "restitution_at_separation", "restitution_at_return", "peak_acceleration", "contact_time",

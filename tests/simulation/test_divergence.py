@@ -14,7 +14,7 @@ from builders.records import record_with
 from springback.errors import LedgerWarning
 from springback.results.flight import Flight, as_scenario
 from springback.simulation.flight import fly_many, fly_one
-from springback.simulation.measures import Outcome, outcome_of
+from springback.simulation.measuring.measures import Outcome, outcome_of
 
 DIVERGING = {
     "absurdly stiff surface": ("world.obstacles[0].surface.stiffness=1e30",),

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from springback.results.flight import fly
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "swinging_ball.toml"
 

@@ -15,7 +15,7 @@ from springback.contact.library import WALL
 from springback.contact.surfaces import AnyExponent
 from springback.results.flight import Flight, fly
 from springback.scenario.scenario import scenario_from
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 
 GROUND = {"type": "ground", "surface": "wall"}
 #: Arms so short that all that touches is the hull.

@@ -16,8 +16,8 @@ from springback.scenario.scenario import scenario_from
 from springback.simulation.flight import flight_buffers, shape_of
 from springback.simulation.guided import avionics_buffers
 from springback.simulation.loading import Loader
+from springback.simulation.measuring.record import Model
 from springback.simulation.onboard import Avionics
-from springback.simulation.record import Model
 from springback.vehicle.state import State
 
 Flight = tuple[Model, State, Avionics]

@@ -7,17 +7,18 @@ from typing import Any
 import pytest
 
 from builders.records import record_of, record_with
+from springback.contact.laws import step_bounds
 from springback.dynamics.crossing import Crossing
 from springback.dynamics.motion import Engaged, Motion
 from springback.kernels.trees import field_of
 from springback.kernels.vectors import Quat, Vec
 from springback.scenario.model import flight_model
 from springback.scenario.scenario import scenario_from
-from springback.simulation import record as rules
 from springback.simulation.executor import rates_of
 from springback.simulation.flight import still_work
-from springback.simulation.peaks import Peaks
-from springback.simulation.record import (
+from springback.simulation.measuring import record as rules
+from springback.simulation.measuring.peaks import Peaks
+from springback.simulation.measuring.record import (
     APPLY_IMPULSE,
     FREE_FLIGHT,
     IMPACT,
@@ -132,9 +133,9 @@ def test_arms_settle_in_longer_steps_but_not_on_a_stop() -> None:
 @pytest.mark.parametrize(
     ("rate", "share"),
     [
-        ("friction_rate", rules.FRICTION_SHARE),
-        ("contact_rate", rules.CONTACT_SHARE),
-        ("slip_rate", rules.SLIP_SHARE),
+        ("friction_rate", step_bounds.FRICTION_SHARE),
+        ("contact_rate", step_bounds.CONTACT_SHARE),
+        ("slip_rate", step_bounds.SLIP_SHARE),
     ],
 )
 def test_steps_follow_every_rate(rate: str, share: float) -> None:

@@ -13,7 +13,7 @@ from builders.cases import nonempty
 from builders.user_pilots import before_a_wall, pilot_file
 from springback.batch.pair import PairOfFlights, fly_pair
 from springback.contact.parameters import SurfaceSettings
-from springback.contact.scene.faces import distance_of
+from springback.contact.scene.nearest import distance_of
 from springback.contact.surfaces import AnyExponent
 from springback.errors import InputError, LedgerWarning
 from springback.kernels.vectors import Vec

@@ -9,8 +9,8 @@ import pytest
 
 from builders.scenes import FACE, approaching, one_arm, surface
 from springback.simulation.flight import fly_one
-from springback.simulation.measures import measures_of
-from springback.simulation.peaks import PeakSample, Recent, peak_of, spacing
+from springback.simulation.measuring.measures import measures_of
+from springback.simulation.measuring.peaks import PeakSample, Recent, peak_of, spacing
 
 NONE = PeakSample(0.0, 0.0, 0.0)
 

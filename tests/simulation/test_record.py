@@ -11,7 +11,7 @@ from builders.impacts import flown, towards_wall, value
 from builders.scenes import FACE, approaching, one_arm, surface
 from springback.results.flight import as_scenario, fly
 from springback.simulation.flight import fly_one
-from springback.simulation.measures import MEASURES, Outcome, measures_of
+from springback.simulation.measuring.measures import MEASURES, Outcome, measures_of
 
 
 def test_linear_spring_has_a_closed_form() -> None:

@@ -15,7 +15,7 @@ from builders.shape_scenes import SHAPES as BUILT_IN
 from springback.batch.scenarios import fly_scenarios
 from springback.results.flight import fly
 from springback.scenario.scenario import scenario_from
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 
 HERE = [2.7, 0.02, 1.0]
 SHAPES: dict[str, dict[str, Any]] = {

@@ -13,7 +13,7 @@ from springback.batch.scenarios import fly_scenarios
 from springback.errors import LedgerWarning
 from springback.results.flight import fly
 from springback.simulation.flight import fly_one
-from springback.simulation.measures import Outcome, measures_of
+from springback.simulation.measuring.measures import Outcome, measures_of
 from studies import families
 
 COARSE = (towards_wall("quad", 6.0, yaw="30 deg", pitch="15 deg"), "simulation.impact_step=8e-4")

@@ -28,7 +28,7 @@ from springback.simulation.flight import (
     shape_of,
 )
 from springback.simulation.lanes import places
-from springback.simulation.record import Model
+from springback.simulation.measuring.record import Model
 from springback.vehicle.state import State
 
 #: Arms count as settled early, so that a short flight has all phases.

@@ -20,7 +20,7 @@ from springback.vehicle.endurance import (
 )
 from springback.vehicle.library import FIGURE_OF_MERIT, VEHICLES
 from springback.vehicle.parameters import Arms, Body, Vehicle
-from springback.vehicle.rotors import Propulsion
+from springback.vehicle.propulsion import Propulsion
 
 ENGINE: dict[str, Any] = {
     "max_thrust": 8.0, "figure_of_merit": 0.5, "disk_radius": 0.1, "battery_energy": 2e5,

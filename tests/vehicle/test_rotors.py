@@ -15,11 +15,11 @@ from scipy.integrate import solve_ivp
 from springback.errors import InputError
 from springback.kernels.trees import leaves
 from springback.vehicle.library import VEHICLES
+from springback.vehicle.propulsion import Propulsion
 from springback.vehicle.rotors import (
     INSTANT,
     SHORT,
     LagStep,
-    Propulsion,
     Rotors,
     Thrusts,
     lag_over,

@@ -94,7 +94,7 @@ export function poseAt(flight, time) {
     position: many(flight.position, 3),
     quaternion: turned(flight.attitude),
     armLengths: many(flight.armLength, arms),
-    thrust: many(flight.thrust, arms),
+    thrust: many(flight.thrust, flight.rotors.length),
     contacts,
     bodies: flight.bodies.map((one) => ({ position: many(one.position, 3), quaternion: turned(one.attitude) })),
   };
@@ -125,7 +125,7 @@ export function estimateAt(flight, time) {
     position: ["x", "y", "z"].map((axis) => value(`est_${axis}`)),
     quaternion: q.map((x) => x / norm),
     armLengths: flight.arms.map((arm, j) => value(`hall${j + 1}`, arm.length)),
-    thrust: flight.arms.map(() => 0),
+    thrust: flight.rotors.map(() => 0),
     contacts: [],
   };
 }

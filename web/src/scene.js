@@ -3,6 +3,7 @@ import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { palette } from "./colours.js";
 import { estimateAt, flightOf, hasEstimate, largestForce, poseAt, roundBelow, touchOf, unpacked } from "./flight.js";
+import { reachOfArm } from "./joints.js";
 import { Arrow, Robot, disposed } from "./robot.js";
 import { Mover, Path, Shadow, compass, joined, moved, obstacle, rail, reference } from "./surroundings.js";
 
@@ -24,7 +25,7 @@ const COARSEST = 0.4;
 const STILL = 400;
 
 /** Radius of a robot with its cages [m]. */
-const reachOf = (flight) => Math.max(...flight.arms.map((arm) => arm.length + arm.cage_radius));
+const reachOf = (flight) => Math.max(...flight.arms.map((arm) => reachOfArm(arm) + arm.cage_radius));
 
 /** Give flights their colours, and align their first touches. */
 export function together(scenes, colours, align = true) {
@@ -539,6 +540,8 @@ export function createScene(element, { flights = [], compare = "side", align = t
     /** Numbers of what is shown. */
     pose: () => ({ t: state.t, camera: state.camera, pixels: state.share, flights: state.poses ?? [],
       places: actors.map(({ group, robot }) => robot.group.position.clone().add(group.position).toArray()), // where they are drawn
+      ends: actors.map(({ robot }) => robot.ends()),
+      connections: actors.map(({ robot }) => robot.connections()),
       estimates: state.estimate ? state.flights.map((flight) => (hasEstimate(flight) ? estimateAt(flight, state.t) : null)) : [] }),
     /** Graphics resources in use, for tests of leaks. */
     memory: () => ({ ...renderer?.info.memory }),

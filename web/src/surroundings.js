@@ -4,6 +4,7 @@ import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
 import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import { unpacked } from "./flight.js";
+import { ArmPath } from "./joints.js";
 import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 
 /** Faces that meet at less than this are shaded as one [rad]; edges sharper than this are drawn [deg]. */
@@ -224,7 +225,7 @@ export class Shadow {
   constructor(flight, level, colours) {
     this.level = level;
     this.group = new THREE.Group();
-    this.arms = flight.arms;
+    this.paths = flight.arms.map((arm) => new ArmPath(arm));
     const paint = () => new THREE.MeshBasicMaterial({ color: "#000000", transparent: true, opacity: 0.16, depthWrite: false });
     const disc = (radius) => {
       const mesh = new THREE.Mesh(new THREE.CircleGeometry(radius, 36), paint());
@@ -248,7 +249,8 @@ export class Shadow {
     const level = this.level + 0.003;
     this.body.position.set(pose.position[0], pose.position[1], level);
     this.cages.forEach((cage, j) => {
-      this.at.set(...this.arms[j].direction).multiplyScalar(pose.armLengths[j]).applyQuaternion(this.turn);
+      this.paths[j].at(pose.armLengths[j], this.at);
+      this.at.applyQuaternion(this.turn);
       cage.position.set(pose.position[0] + this.at.x, pose.position[1] + this.at.y, level);
     });
     this.plumb.position.set(pose.position[0], pose.position[1], level);

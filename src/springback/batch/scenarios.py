@@ -34,12 +34,12 @@ from springback.scenario.avionics import normals_at_start
 from springback.scenario.build import ReadyFlight
 from springback.scenario.scenario import scenario_from
 from springback.scenario.user.laws import in_words
-from springback.simulation.columns import Array, columns_of, energies
 from springback.simulation.flight import LANES, fly_buffers
 from springback.simulation.guided import GuidedFlight
 from springback.simulation.guided_batch import GUIDED_LANES, fly_groups
 from springback.simulation.loading import LoadedFlights, Loader
-from springback.simulation.measures import MEASURES, measure_columns, outcomes_of
+from springback.simulation.measuring.columns import Array, columns_of, energies
+from springback.simulation.measuring.measures import MEASURES, measure_columns, outcomes_of
 from springback.simulation.noise import FlightNoise
 from springback.simulation.onboard import Avionics
 from springback.simulation.ticks import FlightBuffers
@@ -61,7 +61,7 @@ class Rows(NamedTuple):
     """Results of many flights, in their order."""
 
     outcomes: list[str]
-    """Words of `springback.simulation.measures.Outcome`, or `REFUSED`."""
+    """Words of `springback.simulation.measuring.measures.Outcome`, or `REFUSED`."""
     measures: dict[str, Array]
     """Measures of each flight, all of `MEASURES` and `RECOVERY_MEASURES`; NaN if undefined."""
     problems: list[str]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from springback.results.recovery_measures import RECOVERY_MEASURES
 from springback.results.saved import SECOND
-from springback.simulation.measures import MEASURES
+from springback.simulation.measuring.measures import MEASURES
 
 #: Unit and meaning of the columns of every flight.
 FLIGHT = {

@@ -27,6 +27,8 @@ from springback.vehicle.state import ArmPose, BodyState, Propeller, Sphere, Stat
 
 #: A gap closer to zero than this counts as zero [m].
 LANDED = 1e-9
+#: Radius of a circle that is no cage: nothing touches it [m].
+NO_CAGE = -1.0
 #: Depth of a cage that just touches: too small for any elastic force [m].
 AT_TOUCH = 1e-30
 
@@ -313,6 +315,20 @@ def contact_faces(
         engaged: 0 where no force of theirs will act: a scene is then not looked through.
     """
     return tree_map(face_of, (obstacles,), (contact_point, radius, arm))
+
+
+@generic
+def touching_radius(obstacles: Any, radius: float, caged: float) -> float:
+    """Radius of the circle that touches obstacles: of a cage; `NO_CAGE` of what is none [m].
+
+    Only vehicles in a scene can be without cages.
+
+    Args:
+        obstacles: In the body frame.
+        radius: r_0 [m].
+        caged: 0 for a circle that is no cage.
+    """
+    return radius
 
 
 @generic

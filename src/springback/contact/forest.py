@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 from typing import Annotated, Literal
 
 import numpy as np
@@ -17,6 +18,9 @@ from springback.settings import problem
 
 #: Most trunks (chosen).
 MOST_TRUNKS = 20_000
+#: Share of an area that discs dropped at random cover when no more fit (Feder, J. Theor. Biol. 87,
+#: 1980: 0.547).
+JAMMED = 0.547
 #: Trials to place a trunk that keeps its distance from the others (chosen: as usual).
 TRIALS = 30
 
@@ -30,7 +34,7 @@ class Forest(SurfacedShape):
     size: Widths = (20.0, 20.0)
     """Depth along X and width along Y."""
     density: Annotated[float, Unit("1/m^2", least=0.0)]
-    """Trunks per area; where no more fit, fewer."""
+    """Trunks per area; more than fit with the spacing are refused."""
     radius: Length = 0.1
     """Mean radius of a trunk."""
     radius_spread: Annotated[float, Unit("", least=0.0, most=0.9)] = 0.0
@@ -48,39 +52,61 @@ class Forest(SurfacedShape):
                 f"area (got {self.density:g} 1/m^2, {count:.0f} trunks)",
                 "density",
             )
+        wide = 2.0 * self.radius + self.spacing
+        around = (self.size[0] + wide) * (self.size[1] + wide) / self.area
+        jammed = around * JAMMED / (0.25 * math.pi * wide * wide)
+        is_hopeless = self.density > 2.0 * jammed  # planting it would take long
+        fits = jammed if is_hopeless else len(self.trunks()) / self.area
+        if round(fits * self.area) < round(count):
+            raise problem(
+                f"must be less: only some {fits:.3g} 1/m^2 fit where trunks of radius "
+                f"{self.radius:g} m keep the spacing of {self.spacing:g} m (got "
+                f"{self.density:g} 1/m^2)",
+                "density",
+            )
         return self
+
+    @property
+    def area(self) -> float:
+        """Of its ground [m²]."""
+        return self.size[0] * self.size[1]
+
+    def trunks(self) -> tuple[tuple[float, float, float], ...]:
+        """Place of each trunk from the middle of the nearer side, x and y, and its radius [m]."""
+        count = round(self.density * self.area)
+        return _spread_out(
+            self.seed, count, self.size, self.radius, self.radius_spread, self.spacing
+        )
 
     def bodies(self) -> list[SolidShape]:
         """Its solids."""
-        random = stream(self.seed, Purpose.FOREST)
-        depth, width = self.size
-        count = round(self.density * depth * width)
-        trunks = _spread_out(random, count, (depth, width), self)
         found = []
-        for x, y, radius in trunks:
-            foot = np.array(self.position) + np.array([x, y - 0.5 * width, 0.0])
+        for x, y, radius in self.trunks():
+            foot = np.array(self.position) + np.array([x, y, 0.0])
             found.append(SolidShape(CAPSULE, foot, np.eye(3), (ENDLESS, radius), 0.0))
         return found
 
 
+@lru_cache(maxsize=16)
 def _spread_out(
-    random: np.random.Generator, count: int, area: tuple[float, float], forest: Forest
-) -> list[tuple[float, float, float]]:
+    seed: int, count: int, area: tuple[float, float], mean: float, spread: float, spacing: float
+) -> tuple[tuple[float, float, float], ...]:
     """Places and radii by dart throwing: a trial too close to an earlier trunk is dropped."""
-    low, high = 1.0 - forest.radius_spread, 1.0 + forest.radius_spread
-    cell = 2.0 * forest.radius * high + forest.spacing
+    random = stream(seed, Purpose.FOREST)
+    low, high = 1.0 - spread, 1.0 + spread
+    cell = 2.0 * mean * high + spacing
     cells: dict[tuple[int, int], list[tuple[float, float, float]]] = {}
     found: list[tuple[float, float, float]] = []
     for _ in range(count * TRIALS):
         if len(found) == count:
             break
         x, y = float(random.uniform(0.0, area[0])), float(random.uniform(0.0, area[1]))
-        radius = forest.radius * float(random.uniform(low, high))
+        radius = mean * float(random.uniform(low, high))
         i, j = int(x // cell), int(y // cell)
         near = (
             one for a in (-1, 0, 1) for b in (-1, 0, 1) for one in cells.get((i + a, j + b), ())
         )
-        if all(math.hypot(x - u, y - v) >= radius + r + forest.spacing for u, v, r in near):
+        if all(math.hypot(x - u, y - v) >= radius + r + spacing for u, v, r in near):
             found.append((x, y, radius))
             cells.setdefault((i, j), []).append((x, y, radius))
-    return found
+    return tuple((x, y - 0.5 * area[1], radius) for x, y, radius in found)

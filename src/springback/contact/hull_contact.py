@@ -8,15 +8,35 @@ as a cage (`springback.contact.loads.face_contact`).  All other hulls, and sever
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
-from springback.contact.cage import BodyMotion, ContactFace, contact_faces, lowest_gap, per_face
+from springback.contact.cage import (
+    BodyMotion,
+    ContactFace,
+    body_motion,
+    contact_faces,
+    lowest_gap,
+    obstacles_in_body_frame,
+    obstacles_now,
+    per_face,
+    touching_radius,
+)
 from springback.contact.hulls.faces import compound_faces, compound_flags, compound_gaps
 from springback.contact.loads import CageContact, face_contact
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import fold, minimum, one_tuple, tree_map
 from springback.kernels.vectors import Vec
-from springback.vehicle.state import Arm, ArmPose, Bristles, CompoundHull, Sphere
+from springback.vehicle.arms.joints import JointedArm, joint_pose
+from springback.vehicle.state import (
+    Arm,
+    ArmPose,
+    CompoundHull,
+    PartMemory,
+    Shell,
+    Sphere,
+    State,
+    arm_pose,
+)
 
 
 @generic
@@ -43,6 +63,12 @@ def _compound_pose(hull: CompoundHull, velocity: Vec) -> ArmPose:
     return ArmPose(none, none, velocity)
 
 
+@hull_pose.register(Shell)
+@kernel
+def _shell_pose(hull: Shell, velocity: Vec) -> ArmPose:
+    return hull_pose(hull.touching, velocity)
+
+
 @generic
 def hull_gap(hull: Any, obstacles: Any) -> float:
     """Gap between the hull and the nearest obstacle in the body frame, or less if it is far [m]."""
@@ -59,6 +85,12 @@ def _sphere_gap(hull: Sphere, obstacles: Any) -> float:
 @kernel
 def _compound_gap(hull: CompoundHull, obstacles: Any) -> float:
     return minimum(compound_gaps(obstacles, hull, Vec(0.0, 0.0, 0.0)))
+
+
+@hull_gap.register(Shell)
+@kernel
+def _shell_gap(hull: Shell, obstacles: Any) -> float:
+    return hull_gap(hull.touching, obstacles)
 
 
 @generic
@@ -80,6 +112,12 @@ def _compound_faces(hull: CompoundHull, obstacles: Any, engaged: float) -> tuple
     return compound_faces(obstacles, hull, Vec(0.0, 0.0, 0.0), engaged)
 
 
+@hull_faces.register(Shell)
+@kernel
+def _shell_faces(hull: Shell, obstacles: Any, engaged: float) -> tuple[ContactFace, ...]:
+    return hull_faces(hull.touching, obstacles, engaged)
+
+
 @generic
 def hull_flags(hull: Any, obstacles: Any, value: float) -> tuple[float, ...]:
     """The same number for every face of `hull_faces`."""
@@ -90,6 +128,12 @@ def hull_flags(hull: Any, obstacles: Any, value: float) -> tuple[float, ...]:
 @kernel
 def _compound_flags(hull: CompoundHull, obstacles: Any, value: float) -> tuple[float, ...]:
     return compound_flags(obstacles, value)
+
+
+@hull_flags.register(Shell)
+@kernel
+def _shell_flags(hull: Shell, obstacles: Any, value: float) -> tuple[float, ...]:
+    return hull_flags(hull.touching, obstacles, value)
 
 
 @generic
@@ -115,11 +159,17 @@ def _compound_gaps(hull: CompoundHull, obstacles: Any) -> tuple[float, ...]:
     return compound_gaps(obstacles, hull, Vec(0.0, 0.0, 0.0))
 
 
+@hull_gaps.register(Shell)
+@kernel
+def _shell_gaps(hull: Shell, obstacles: Any) -> tuple[float, ...]:
+    return hull_gaps(hull.touching, obstacles)
+
+
 @kernel
 def hull_contact(
     face: ContactFace,
     engaged: float,
-    bristles: tuple[Bristles, ...],
+    memory: PartMemory,
     hull: Any,
     body: BodyMotion,
 ) -> CageContact:
@@ -128,11 +178,71 @@ def hull_contact(
     Args:
         face: In the body frame.
         engaged: As for `springback.contact.loads.face_contact`.
-        bristles: Of the hull, if a surface has any.
+        memory: Of the hull.
         hull: Hull of the main body.
         body: Motion of the main body.
     """
-    return face_contact(face, engaged, bristles, hull_pose(hull, body.velocity), body)
+    return face_contact(face, engaged, memory, hull_pose(hull, body.velocity), body)
+
+
+# -- what an arm sees ------------------------------------------------------------------------------
+
+
+class BodySight(NamedTuple):
+    """A vehicle among obstacles at one instant."""
+
+    there: Any  # the obstacles, in the world, where they are now
+    obstacles: Any  # the same in the body frame
+    body: BodyMotion
+
+
+class ArmSight(NamedTuple):
+    """An arm among obstacles, in the axes of what is at its end; points from the main body."""
+
+    pose: ArmPose
+    obstacles: Any
+    body: BodyMotion  # as if the main body turned with it
+
+
+@kernel
+def body_sight(obstacles: Any, state: State, ahead: float) -> BodySight:
+    """A vehicle among obstacles of the world; contacts look ``ahead`` [m]."""
+    body = body_motion(state, ahead)
+    there = obstacles_now(obstacles, state.bodies)
+    return BodySight(there, obstacles_in_body_frame(there, state.position, body.r), body)
+
+
+@generic
+def arm_sight(arm: Any, length: float, rate: float, around: BodySight) -> ArmSight:
+    """What an arm sees at a length [m] that changes at a rate [m/s]."""
+    raise TypeError(f"{type(arm).__name__} is not an arm")
+
+
+@arm_sight.register(Arm)
+@kernel
+def _of_slide(arm: Arm, length: float, rate: float, around: BodySight) -> ArmSight:
+    """The axes at its end are those of the body."""
+    pose = arm_pose(arm, length, rate, around.body.velocity)
+    return ArmSight(pose, around.obstacles, around.body)
+
+
+@arm_sight.register(JointedArm)
+@kernel
+def _of_joint(arm: JointedArm, length: float, rate: float, around: BodySight) -> ArmSight:
+    """What is at the end of a hinged arm turns with it, by ω + κ l̇ a, about the main body.
+
+    The velocity of the end without that of rotation is thus v + l̇ e − κ l̇ a × r.
+    """
+    there, body = joint_pose(arm, length, rate), around.body
+    turn, spin = there.turn, there.turning * there.axis
+    r = body.r @ turn
+    slides = body.velocity + rate * there.direction - (spin ^ there.end)
+    pose = ArmPose(there.direction @ turn, there.end @ turn, slides @ turn)
+    turned = BodyMotion(
+        body.position, r, body.velocity @ turn, (body.omega + spin) @ turn, body.vertical @ turn,
+        body.ahead,
+    )  # fmt: skip
+    return ArmSight(pose, obstacles_in_body_frame(around.there, body.position, r), turned)
 
 
 # -- arms ------------------------------------------------------------------------------------------
@@ -158,7 +268,8 @@ def arm_faces(
         pose: Pose of the arm.
         engaged: 0 where no force of theirs will act.
     """
-    cage = contact_faces(obstacles, contact_point, arm.cage_radius, pose, engaged)
+    radius = touching_radius(obstacles, arm.cage_radius, arm.caged)
+    cage = contact_faces(obstacles, contact_point, radius, pose, engaged)
     return cage + one_tuple(tree_map(_faces_at_end, (arm.hull,), (obstacles, pose.lever, engaged)))
 
 
@@ -187,7 +298,8 @@ def arm_gap(arm: Arm, obstacles: Any, contact_point: Any, pose: ArmPose) -> floa
 
     Arguments are as for `arm_faces`.
     """
-    cage = lowest_gap(obstacles, contact_point, arm.cage_radius, pose)
+    radius = touching_radius(obstacles, arm.cage_radius, arm.caged)
+    cage = lowest_gap(obstacles, contact_point, radius, pose)
     return fold(_nearer, cage, arm.hull, (obstacles, pose.lever))
 
 
@@ -206,6 +318,7 @@ def _with_gaps(
 @kernel
 def arm_gaps(arm: Arm, obstacles: Any, contact_point: Any, pose: ArmPose) -> tuple[float, ...]:
     """Gaps of an arm, as many as its cage has faces; see `hull_gaps`."""
-    faces = contact_faces(obstacles, contact_point, arm.cage_radius, pose, 1.0)
+    radius = touching_radius(obstacles, arm.cage_radius, arm.caged)
+    faces = contact_faces(obstacles, contact_point, radius, pose, 1.0)
     gaps = tree_map(_gap_of, (faces,), ())
     return fold(_with_gaps, gaps, arm.hull, (obstacles, pose.lever))

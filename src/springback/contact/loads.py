@@ -24,6 +24,7 @@ from springback.contact.laws.bristles import (
     friction_by_bristles,
     rolling_resistance,
 )
+from springback.contact.laws.hysteresis import Pressing, force_of, hysteretic_load
 from springback.contact.laws.step_bounds import (
     ContactStiffness,
     FrictionDamping,
@@ -33,9 +34,9 @@ from springback.contact.laws.step_bounds import (
 from springback.contact.obstacles import Obstacle
 from springback.contact.surfaces import Surface, friction_force, normal_force, slip_velocity
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.trees import fold, tree_map
+from springback.kernels.trees import field_of, fold, tree_map
 from springback.kernels.vectors import Vec, larger
-from springback.vehicle.state import ArmPose, Bristles
+from springback.vehicle.state import ArmPose, PartMemory, PressedPoint
 
 
 class ContactLoad(NamedTuple):
@@ -66,6 +67,7 @@ class CageContact(NamedTuple):
     touch: ContactLoad
     moving: tuple[FaceMotion, ...]  # as of its `ContactFace`
     bristles: tuple[BristleRate, ...]  # of its part, if a surface has any
+    pressed: tuple[PressedPoint, ...]  # what it remembers, if a surface does
 
 
 @kernel
@@ -85,7 +87,8 @@ def cage_contact(
         arm: Pose of the arm.
         body: Motion of the main body.
     """
-    return face_contact(face_of(obstacle, contact_point, radius, arm), 1.0, (), arm, body)
+    none = PartMemory((), (), ())
+    return face_contact(face_of(obstacle, contact_point, radius, arm), 1.0, none, arm, body)
 
 
 @kernel
@@ -123,8 +126,9 @@ class LoadOfFace(NamedTuple):
     """Load of one contact, and what its friction does."""
 
     touch: ContactLoad
-    per_speed: float  # as of `CageContact`, as are the bristles
+    per_speed: float  # as of `CageContact`, as are the others
     bristles: tuple[BristleRate, ...]
+    pressed: tuple[PressedPoint, ...]
 
 
 @kernel
@@ -132,7 +136,7 @@ def face_load(
     face: ContactFace,
     relative: ContactMotion,
     engaged: float,
-    bristles: tuple[Bristles, ...],
+    memory: PartMemory,
     arm: ArmPose,
     body: BodyMotion,
 ) -> LoadOfFace:
@@ -144,11 +148,15 @@ def face_load(
     # A step ends on the face to within rounding; a law with a jump there must act at once.
     touches = (gap < -AT_TOUCH) | ((gap <= LANDED) & (rate > 0.0))
     depth = larger(-gap, AT_TOUCH) if touches & (engaged > 0.0) else 0.0
-    pressed = normal_force(surface, depth, rate, body.ahead)
+    elastic = normal_force(surface, depth, rate, body.ahead)
+    pressing = Pressing(surface, end + at.normal_lever, n, depth, rate, body.ahead)
+    with_memory = tree_map(hysteretic_load, (memory.pressed,), (elastic, pressing))
+    pressed = fold(force_of, elastic, with_memory, ())
     slip = slip_velocity(surface, sliding + (omega ^ rubbing_at), n, body.vertical)
     f_n = pressed.force * steepness
     at_contact = Rubbing(surface, f_n, n, slip, omega, body.r, body.vertical)
-    rubbed = fold(friction_by_bristles, friction_force(surface, f_n, slip), bristles, (at_contact,))
+    rubbed = friction_force(surface, f_n, slip)
+    rubbed = fold(friction_by_bristles, rubbed, memory.bristles, (at_contact,))
 
     push = n * (-f_n)
     force = push + rubbed.force
@@ -156,7 +164,7 @@ def face_load(
     back = at_saddle * pressed.force
     force, moment = force + back, moment + (saddle ^ back)
     resisted = RollingResistance(moment, rubbed.loss)
-    resisted = fold(rolling_resistance, resisted, bristles, (at_contact,))
+    resisted = fold(rolling_resistance, resisted, memory.bristles, (at_contact,))
     grounded = face.is_ground if gap < 0.0 else 0.0
     grip = friction_damping(rubbed.grip, n, rubbing_at, arm.direction)
     press = contact_stiffness(pressed.stiffness, pressed.damper, n, arm.direction)
@@ -171,9 +179,8 @@ def face_load(
         grip,
         press,
     )
-    return LoadOfFace(
-        touch, rubbed.per_speed, tree_map(bristle_rate, (bristles,), (at_contact, face.moving))
-    )
+    bristles = tree_map(bristle_rate, (memory.bristles,), (at_contact, face.moving))
+    return LoadOfFace(touch, rubbed.per_speed, bristles, field_of(with_memory, "point"))
 
 
 @kernel
@@ -186,7 +193,7 @@ def contact_under(
     return CageContact(
         face.nearest.gap, -relative.rate, face.nearest.inward, impulsive,
         arm.lever + at.normal_lever, arm.lever + at.friction_lever, load.per_speed, surface,
-        load.touch, face.moving, load.bristles,
+        load.touch, face.moving, load.bristles, load.pressed,
     )  # fmt: skip
 
 
@@ -194,7 +201,7 @@ def contact_under(
 def face_contact(
     face: ContactFace,
     engaged: float,
-    bristles: tuple[Bristles, ...],
+    memory: PartMemory,
     arm: ArmPose,
     body: BodyMotion,
 ) -> CageContact:
@@ -207,12 +214,12 @@ def face_contact(
     Args:
         face: In the body frame.
         engaged: 0 for a cage that did not touch at the beginning of the step.
-        bristles: Of the cage, if a surface has any.
+        memory: Of the cage.
         arm: Pose of the arm.
         body: Motion of the main body.
     """
     relative = motion_beside(face, arm, body)
-    load = face_load(face, relative, engaged, bristles, arm, body)
+    load = face_load(face, relative, engaged, memory, arm, body)
     return contact_under(face, relative, load, arm)
 
 
@@ -221,7 +228,7 @@ def contacts_with(
     obstacles: Any,
     faces: tuple[ContactFace, ...],
     engaged: tuple[float, ...],
-    bristles: tuple[Bristles, ...],
+    memory: PartMemory,
     arm: ArmPose,
     body: BodyMotion,
 ) -> tuple[CageContact, ...]:
@@ -231,8 +238,8 @@ def contacts_with(
         obstacles: Of which the faces are.
         faces: In the body frame.
         engaged: For each face, 0 if the part did not touch it at the beginning of the step.
-        bristles: As for `face_contact`.
+        memory: As for `face_contact`.
         arm: As for `face_contact`.
         body: As for `face_contact`.
     """
-    return tree_map(face_contact, (faces, engaged), (bristles, arm, body))
+    return tree_map(face_contact, (faces, engaged), (memory, arm, body))

@@ -14,6 +14,7 @@ from springback.contact.surfaces import (
     BothTangents,
     Exponent,
     FrictionAxes,
+    Hysteresis,
     Surface,
     VerticalTangent,
 )
@@ -21,6 +22,7 @@ from springback.kernels.tracing import hypot, sqrt  # for batch set-up
 from springback.kernels.vectors import Vec
 from springback.quantities import Factor, Length, Speed, Triple, Unit
 from springback.settings import Settings, problem
+from springback.vehicle.force_laws import REMEMBERING, HystereticSettings, shape_of
 
 #: Types of obstacles that are planes.
 PLANES = ("wall", "mat", "ground")
@@ -29,14 +31,18 @@ PLANES = ("wall", "mat", "ground")
 #: then swings along the surface with 50 Hz).
 PRESLIDING = 1e-4
 
-Law = Literal["hunt-crossley", "hertz", "kelvin-voigt", "impulse"]
+Law = Literal[
+    "hunt-crossley", "hertz", "kelvin-voigt", "constant-restitution", "foam", "table", "impulse"
+]
 
 
-class SurfaceSettings(Settings):
+class SurfaceSettings(HystereticSettings):
     """Parameters of a surface.
 
     `hunt-crossley` needs ``dissipation``, or ``restitution`` with ``restitution_speed``; `hertz`
-    has no damping; `kelvin-voigt` has ``viscosity``; `impulse` has ``restitution`` and no force.
+    has no damping; `kelvin-voigt` has ``viscosity``; `constant-restitution` has the same
+    ``restitution`` at any speed, as have `foam` and `table`, whose forces are not those of a power
+    law; `impulse` has ``restitution`` and no force.  Any force law can have ``viscosity`` besides.
     """
 
     law: Law = "hunt-crossley"
@@ -44,13 +50,13 @@ class SurfaceSettings(Settings):
     """k_c [N/mⁿ] of the whole front; see ``shared_by``."""
     shared_by: Annotated[int, Field(ge=1)] = 1
     """Number of cages that share the stiffness (2: a front of two cages, k_c/2 each)."""
-    exponent: Annotated[float, Unit("", least=1.0, most=4.0)] = 1.5
+    exponent: Annotated[float, Unit("", least=0.4, most=4.0)] = 1.5
     dissipation: Annotated[float, Unit("s/m", least=0.0)] | None = None
     """c_a of b_c = 1.5 c_a k_c."""
     restitution: Annotated[float, Unit("", least=0.0, most=1.0)] | None = None
     restitution_speed: Speed | None = None
     viscosity: Annotated[float, Unit("N s/m", least=0.0)] = 0.0
-    """b of the Kelvin–Voigt law, of the whole front."""
+    """b of a damper beside the spring, of the whole front."""
     friction: Factor = 0.0
     friction_axes: Literal["both", "vertical"] = "both"
     """`vertical` is the paper's friction, along the vertical tangent only."""
@@ -74,29 +80,50 @@ class SurfaceSettings(Settings):
             raise problem("needs friction_law bristle", "presliding")
         if self.law == "impulse" and self.restitution is None:
             raise problem("is missing; law impulse needs it", "restitution")
-        if self.law == "hunt-crossley" and self.restitution is None and self.dissipation is None:
+        self.check_memory(self.law, self.restitution)
+        if self.law in REMEMBERING:
+            self._check_remembering()
+        if self.law == "hunt-crossley":
+            self._check_hunt_crossley()
+        return self
+
+    def _check_remembering(self) -> None:
+        if self.restitution_speed is not None:
+            raise problem(
+                f"cannot be combined with law {self.law}: its restitution is the same at any speed",
+                "restitution_speed",
+            )
+        if self.law == "constant-restitution" and self.dissipation is not None:
+            raise problem(f"cannot be combined with law {self.law}", "dissipation")
+        if self.law == "foam" and "stiffness" not in self.model_fields_set:
+            raise problem("is missing; law foam needs it, in N/m", "stiffness")
+        self.curve(self.law, self.stiffness)
+
+    def _check_hunt_crossley(self) -> None:
+        if self.restitution is None and self.dissipation is None:
             raise problem(
                 "is missing; law hunt-crossley needs it, or restitution with restitution_speed "
                 "(law hertz has no damping)",
                 "dissipation",
             )
-        if self.law == "hunt-crossley" and self.restitution is not None:
-            if self.dissipation is not None:
-                raise problem("cannot be combined with restitution; give only one", "dissipation")
-            if self.restitution_speed is None:
-                raise problem("is missing; restitution falls with speed", "restitution_speed")
-            if self.restitution < 0.01:
-                raise problem(
-                    f"of a Hunt–Crossley law must be at least 0.01 (got {self.restitution:g})",
-                    "restitution",
-                )
-        return self
+        if self.restitution is None:
+            return
+        if self.dissipation is not None:
+            raise problem("cannot be combined with restitution; give only one", "dissipation")
+        if self.restitution_speed is None:
+            raise problem("is missing; restitution falls with speed", "restitution_speed")
+        if self.restitution < 0.01:
+            raise problem(
+                f"of a Hunt–Crossley law must be at least 0.01 (got {self.restitution:g})",
+                "restitution",
+            )
 
     def dissipation_value(self) -> float:
         """Coefficient c_a [s/m], given or computed from the restitution."""
-        if self.law != "hunt-crossley":
+        if self.law not in ("hunt-crossley", *REMEMBERING):
             return 0.0
-        if self.restitution is not None and self.restitution_speed is not None:
+        if self.law == "hunt-crossley" and self.restitution is not None:
+            assert self.restitution_speed is not None
             return dissipation_for(self.restitution, self.restitution_speed)
         return self.dissipation or 0.0
 
@@ -119,7 +146,7 @@ class SurfaceSettings(Settings):
         return Surface(
             stiffness=0.0 if impulse else self.stiffness / self.shared_by,
             dissipation=1.5 * self.dissipation_value(),
-            viscosity=self.viscosity / self.shared_by if self.law == "kelvin-voigt" else 0.0,
+            viscosity=0.0 if impulse else self.viscosity / self.shared_by,
             exponent=n,
             friction=self.friction,
             friction_axes=axes,
@@ -127,6 +154,14 @@ class SurfaceSettings(Settings):
             restitution=(self.restitution or 0.0) if impulse else -1.0,
             presliding=self.presliding if self.friction_law == "bristle" else 0.0,
             rolling=self.rolling_resistance,
+            hysteresis=(self._hysteresis(),) if by_number else (),
+        )
+
+    def _hysteresis(self) -> Hysteresis:
+        return Hysteresis(
+            shape_of(self.law, self.restitution),
+            self.curve(self.law, self.stiffness, self.shared_by),
+            0.0 if self.recovers else 1.0,
         )
 
 

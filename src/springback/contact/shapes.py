@@ -17,7 +17,9 @@ from springback.contact.scene.solids import (
     CAPSULE,
     FRUSTUM,
     HALF_SPACE,
+    ROUND_WINDOW,
     TORUS,
+    WINDOW,
 )
 from springback.contact.scene.table import ENDLESS, Solid
 from springback.frames import attitude_from_euler
@@ -56,6 +58,37 @@ class SolidPart(NamedTuple):
     surface: SurfaceSettings
 
 
+def _middle_depth(body: SolidShape) -> float:
+    """Depth of the middle of a solid below its surface [m]; infinite if it has no other side."""
+    sizes, edge = body.sizes, body.rounding
+    if body.kind == BOX:
+        return min(sizes) + edge
+    if body.kind == CAPSULE:
+        return sizes[1]
+    if body.kind == FRUSTUM:
+        return min(max(sizes[:2]), sizes[2]) + edge
+    if body.kind == TORUS:
+        return sizes[1]
+    return sizes[2] + edge if body.kind in (WINDOW, ROUND_WINDOW) else math.inf
+
+
+def distance_around(body: SolidShape, points: Array) -> Array:
+    """Distance of points from a box around a solid [m], shape (n,); 0 from a half-space.
+
+    Args:
+        body: The solid.
+        points: World [m], shape (n, 3).
+    """
+    sizes, kind = body.sizes, body.kind
+    if kind == HALF_SPACE:
+        return np.zeros(len(points))
+    wide = max(sizes[:2]) if kind == FRUSTUM else sum(sizes[:2]) if kind == TORUS else sizes[1]
+    round_ones = {CAPSULE: sizes[0], FRUSTUM: sizes[-1], TORUS: sizes[1]}
+    half = (wide, wide, round_ones[kind]) if kind in round_ones else sizes[:3]
+    beyond = np.abs((points - body.centre) @ body.axes.T) - np.array(half) - body.rounding
+    return np.asarray(np.linalg.norm(np.maximum(beyond, 0.0), axis=1))
+
+
 class ShapeSettings(Settings):
     """What all built-in shapes have."""
 
@@ -69,6 +102,13 @@ class ShapeSettings(Settings):
     @abstractmethod
     def law(self) -> SurfaceSettings:
         """Its surface."""
+
+    def middle_depth(self) -> float:
+        """Depth of its middle below its surface, at its thinnest solid [m].
+
+        What is pressed in deeper is nearer to the other side, and pushed out there.
+        """
+        return min(map(_middle_depth, self.bodies()), default=math.inf)
 
     def parts(self) -> list[SolidPart]:
         """Its solids, each with its surface."""

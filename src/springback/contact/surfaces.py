@@ -1,8 +1,11 @@
 """Surfaces: the laws of normal force and friction.
 
 One set of numbers covers all laws: the normal force is  k δⁿ (1 + d δ̇) + b δ̇  while δ > 0, and
-never adhesive.  Hunt–Crossley has b = 0, Hertz b = d = 0, Kelvin–Voigt n = 1 and d = 0.  The
-impulse law has no force; its velocity jump is computed in `springback.dynamics.impulse`.
+never adhesive.  Hunt–Crossley has d > 0, Hertz b = d = 0, Kelvin–Voigt n = 1 and d = 0.  The
+impulse law has no force; its velocity jump is computed in `springback.dynamics.impulse`.  Laws that
+remember the deepest depth have others (`springback.contact.laws.hysteresis`).
+
+For n < 1 the slope of δⁿ has no bound at 0.  There δⁿ is δ (δ² + ε²)^((n−1)/2), with ε = 0.1 mm.
 """
 
 from __future__ import annotations
@@ -57,6 +60,14 @@ class AnyTangent(NamedTuple):
 FrictionAxes = BothTangents | VerticalTangent | AnyTangent
 
 
+class Hysteresis(NamedTuple):
+    """Memory of a surface; see `springback.contact.laws.hysteresis`."""
+
+    shape: float  # s of φ = wˢ coming out; 0: as going in
+    curve: float  # address of a curve in place of k δⁿ; 0: there is none
+    stays: float  # 1: what is pressed in does not recover
+
+
 class Surface(NamedTuple):
     """Numbers of a contact surface for one cage."""
 
@@ -70,19 +81,37 @@ class Surface(NamedTuple):
     restitution: float  # e of the impulse law; negative for a force law
     presliding: float = 0.0  # slip at which bristles let go [m]; 0: it has none
     rolling: float = 0.0  # lever of rolling resistance [m], with bristles
+    hysteresis: tuple[Hysteresis, ...] = ()  # in a scene
+
+
+def remembers(surface: Surface) -> bool:
+    """True for a surface whose force depends on the deepest depth, or on a curve."""
+    return any(one.shape > 0.0 or one.curve > 0.0 for one in surface.hysteresis)
 
 
 #: Avoids division by zero [m].
 TINY = 1e-12
+#: ε, depth below which a law of an exponent below 1 is linear [m] (chosen: its force at 1 mm is
+#: then 0.5 (1 − n) % lower).
+TOE = 1e-4
 
 
 @generic
 def power(exponent: Exponent, depth: float) -> float:
-    """Power δⁿ for δ ≥ 0."""
+    """Power δⁿ for δ ≥ 0; regularised for n < 1."""
     if exponent.value == 1.5:  # in a world of several exponents, too
         return power(ThreeHalves(1.5), depth)
+    if exponent.value < 1.0:
+        return depth * _softening(exponent.value, depth)
     raised: float = depth**exponent.value
     return raised
+
+
+@kernel
+def _softening(n: float, depth: float) -> float:
+    """(δ² + ε²)^((n−1)/2), at least the derivative of the regularised δⁿ for n < 1."""
+    found: float = (depth * depth + TOE * TOE) ** (0.5 * (n - 1.0))
+    return found
 
 
 @power.register(ThreeHalves)
@@ -99,13 +128,15 @@ def _linear(exponent: Linear, depth: float) -> float:
 
 @generic
 def steepest(exponent: Exponent, depth: float, ahead: float) -> float:
-    """Upper bound on the derivative n xⁿ⁻¹ for depths x from δ to a little more.
+    """Upper bound on the derivative n xⁿ⁻¹ for depths x from δ to a little more, or less if n < 1.
 
     Args:
         exponent: n.
         depth: δ ≥ 0 [m].
         ahead: Additional depth, the same for all contacts of a vehicle [m].
     """
+    if exponent.value < 1.0:
+        return _softening(exponent.value, positive_part(depth - ahead))
     deepest = depth + ahead
     derivative: float = exponent.value * power(exponent, deepest) / (deepest + TINY)
     return derivative
@@ -222,6 +253,10 @@ def friction_force(surface: Surface, normal_force: float, slip: Vec) -> Friction
 
 @kernel
 def elastic_energy(surface: Surface, depth: float) -> float:
-    """Energy stored in a contact, k δⁿ⁺¹/(n+1) [J]."""
+    """Energy stored in a contact, k δⁿ⁺¹/(n+1) [J]; without memory."""
     n = surface.exponent.value
+    if n < 1.0:
+        square, p = depth * depth + TOE * TOE, 0.5 * (n + 1.0)
+        stored: float = surface.stiffness * (square**p - (TOE * TOE) ** p) / (n + 1.0)
+        return stored
     return surface.stiffness * power(surface.exponent, depth) * depth / (n + 1.0)

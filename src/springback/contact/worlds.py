@@ -14,17 +14,19 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from springback.contact.moving.building import MovingShape, moving_scene
+from springback.contact.moving.parameters import FreeMotion
 from springback.contact.moving.scene import MovingScene
 from springback.contact.obstacles import Obstacle, Plane, SecondContact
 from springback.contact.parameters import Ground, Mat, SurfaceSettings, Wall, faces
 from springback.contact.scene.faces import SolidScene
 from springback.contact.scene.table import MOST_SOLIDS, Solid, scene_of
 from springback.contact.shapes import ShapeSettings, SolidPart, half_space
-from springback.contact.surfaces import AnyExponent, Linear, ThreeHalves
+from springback.contact.surfaces import AnyExponent, Linear, ThreeHalves, remembers
 from springback.contact.unions import ShapeUnion, SingleShape
 from springback.kernels.routines import NumberTable
 from springback.kernels.vectors import Vec
 from springback.settings import problem
+from springback.vehicle.force_laws import REMEMBERING
 
 #: Any shape, of one body or several.
 Shape = SingleShape | ShapeUnion
@@ -71,7 +73,7 @@ def obstacles(
     if any(_moves(entry) for entry in settings):
         return _moving_scene(settings, own, numbers or range(len(settings)))
     laws = [law for entry in settings for law in surfaces_of(entry)] + [law for _, law in own]
-    holds = any(law.friction_law == "bristle" for law in laws)
+    holds = any(law.friction_law == "bristle" or law.law in REMEMBERING for law in laws)
     planes = [entry for entry in settings if not isinstance(entry, ShapeSettings)]
     all_faces: list[tuple[Any, SurfaceSettings, float]] = []
     all_faces += [face for entry in planes for face in faces(entry)]
@@ -115,12 +117,24 @@ def _moving_scene(
         raise problem(
             "hold a surface of law impulse, which cannot be combined with motion", "world.obstacles"
         )
+    free = any(isinstance(getattr(entry, "motion", None), FreeMotion) for entry in settings)
+    for k, entry in zip(numbers, settings, strict=True):
+        for law in surfaces_of(entry) if free and not _moves(entry) else ():
+            if law.law in REMEMBERING:
+                raise problem(
+                    f"must not have a surface of law {law.law} beside an obstacle that moves "
+                    "freely, whose contacts with it have no memory",
+                    f"world.obstacles[{k}]",
+                )
     moving = []
     for k, entry in zip(numbers, settings, strict=True):
         if isinstance(entry, Wall | ShapeSettings) and _moves(entry):
             moving.append(MovingShape(_parts_of(entry), entry.motion, k))
-    if any(surface.presliding > 0.0 for one in moving for surface in one.surfaces):
+    surfaces = [surface for one in moving for surface in one.surfaces]
+    if any(surface.presliding > 0.0 for surface in surfaces):
         still = still._replace(bristles=1.0)
+    if any(map(remembers, surfaces)):
+        still = still._replace(remembers=1.0)
     return moving_scene(still, moving)
 
 
@@ -158,8 +172,11 @@ def _scene(settings: Sequence[BuiltIn], own: Sequence[Own]) -> SolidScene:
     built = _scene_of_built_in(tuple(settings))
     if isinstance(built.table, NumberTable):
         built.table.hold()  # it may be of an earlier batch, and soon be forgotten here
-    bristles = 1.0 if any(one.surface.presliding > 0.0 for one in beside) else built.bristles
-    return built._replace(own=beside, bristles=bristles)
+    if any(one.surface.presliding > 0.0 for one in beside):
+        built = built._replace(bristles=1.0)
+    if any(remembers(one.surface) for one in beside):
+        built = built._replace(remembers=1.0)
+    return built._replace(own=beside)
 
 
 @lru_cache(maxsize=LATEST)

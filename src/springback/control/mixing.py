@@ -1,17 +1,26 @@
 """Rotor thrusts from thrust and moment, and back, for the present arm lengths.
 
 The rotors have the effects of eqs. (2) and (10) of the paper, for any number of arms in any
-directions.
+directions; or those of rotors that a vehicle lists.  Forces across body z are not commanded: what
+the shares of least norm leave of them, a tilted rotor's own, disturbs.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from springback.control.target import Wrench
-from springback.kernels.compiler import kernel
+from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import maximum, minimum, tree_map, tree_sum
 from springback.kernels.vectors import Vec, within
+from springback.vehicle.arms.joints import JointedArm, joint_pose, thrust_direction
+from springback.vehicle.placed.rotors import (
+    PlacedRotor,
+    PlacedRotors,
+    RotorPose,
+    poses_at,
+    rotor_load,
+)
 from springback.vehicle.state import Airframe, Arm
 
 #: A pivot smaller than its diagonal entry by this factor is rounding: the rotors lack that effect.
@@ -59,10 +68,98 @@ class Rotor(NamedTuple):
     turning: float  # for the yaw moment [N]
 
 
+@generic
+def rotor_effect(arm: Any, length: float) -> Effect:
+    """Effect of the rotor of an arm at a length [m], for each newton of its thrust."""
+    raise TypeError(f"{type(arm).__name__} is not an arm")
+
+
+@rotor_effect.register(JointedArm)
 @kernel
-def _effect(arm: Arm, length: float) -> Effect:
+def _on_joint(arm: JointedArm, length: float) -> Effect:
+    there = joint_pose(arm, length, 0.0)
+    up = thrust_direction(arm, there)
+    moment = (there.end ^ up) + arm.torque_ratio * up
+    return Effect(up.z, moment.x, moment.y, moment.z)
+
+
+@rotor_effect.register(Arm)
+@kernel
+def _on_slide(arm: Arm, length: float) -> Effect:
     """Effect by eq. (10): r_j × T_j e_z = (y_j, −x_j, 0) T_j, and the rotor's torque about z."""
     return Effect(1.0, arm.sine * length, -arm.cosine * length, arm.torque_ratio)
+
+
+@generic
+def rotor_effects(
+    rotors: Any, arms: tuple[Any, ...], lengths: tuple[float, ...]
+) -> tuple[Effect, ...]:
+    """Effects of all rotors.
+
+    Args:
+        rotors: `PlacedRotors`; empty for one at the end of each arm.
+        arms: Constants of the arms.
+        lengths: l_j [m].
+    """
+    return tree_map(rotor_effect, (arms, lengths), ())
+
+
+@kernel
+def _of_listed(pose: RotorPose, rotor: PlacedRotor) -> Effect:
+    wrench = rotor_load(pose, rotor, 1.0).wrench
+    return Effect(wrench.push.z, wrench.moment.x, wrench.moment.y, wrench.moment.z)
+
+
+@rotor_effects.register(PlacedRotors)
+@kernel
+def _effects_of_listed(
+    rotors: PlacedRotors, arms: tuple[Any, ...], lengths: tuple[float, ...]
+) -> tuple[Effect, ...]:
+    poses = poses_at(rotors, arms, lengths)
+    return tree_map(_of_listed, (poses, rotors.each), ())
+
+
+@generic
+def used_effects(rotors: Any, effects: tuple[Effect, ...]) -> tuple[Effect, ...]:
+    """Effects of rotors as a pilot uses them: of those that do not lift none."""
+    return effects
+
+
+@kernel
+def _used(effect: Effect, rotor: PlacedRotor) -> Effect:
+    u = rotor.lifts
+    return Effect(u * effect.thrust, u * effect.roll, u * effect.pitch, u * effect.yaw)
+
+
+@used_effects.register(PlacedRotors)
+@kernel
+def _of_those_that_lift(rotors: PlacedRotors, effects: tuple[Effect, ...]) -> tuple[Effect, ...]:
+    return tree_map(_used, (effects, rotors.each), ())
+
+
+@generic
+def sideways_of(
+    rotors: Any, arms: tuple[Any, ...], lengths: tuple[float, ...], thrusts: tuple[float, ...]
+) -> tuple[Vec, ...]:
+    """Force of listed rotors across body z, body axes [N]; empty without a list."""
+    return ()
+
+
+@kernel
+def _sideways(pose: RotorPose, thrust: float) -> Vec:
+    return Vec(thrust * pose.up.x, thrust * pose.up.y, 0.0)
+
+
+@sideways_of.register(PlacedRotors)
+@kernel
+def _sideways_of_listed(
+    rotors: PlacedRotors,
+    arms: tuple[Any, ...],
+    lengths: tuple[float, ...],
+    thrusts: tuple[float, ...],
+) -> tuple[Vec]:
+    poses = poses_at(rotors, arms, lengths)
+    return (tree_sum(tree_map(_sideways, (poses, thrusts), ())),)
 
 
 @kernel
@@ -74,7 +171,7 @@ def _wrench_of_rotor(effect: Effect, thrust: float) -> Wrench:
 @kernel
 def wrench_of(airframe: Airframe, lengths: tuple[float, ...], thrusts: tuple[float, ...]) -> Wrench:
     """Collective thrust and moment about the main body of given rotor thrusts [N]."""
-    effects = tree_map(_effect, (airframe.arms, lengths), ())
+    effects = rotor_effects(airframe.rotors, airframe.arms, lengths)
     return tree_sum(tree_map(_wrench_of_rotor, (effects, thrusts), ()))
 
 
@@ -145,10 +242,11 @@ def mixer(airframe: Airframe, lengths: tuple[float, ...]) -> Mixer:
     """Pseudoinverse of B(l).
 
     Args:
-        airframe: Directions and torque ratios of the arms.
+        airframe: Directions and torque ratios of the arms, or the rotors that it lists.
         lengths: Present l_j [m].
     """
-    effects = tree_map(_effect, (airframe.arms, lengths), ())
+    effects = rotor_effects(airframe.rotors, airframe.arms, lengths)
+    effects = used_effects(airframe.rotors, effects)
     factors = _factors(tree_sum(tree_map(_product, (effects,), ())))
     return Mixer(lengths, tree_map(_shares, (effects,), (factors,)))
 
@@ -165,7 +263,10 @@ def allocation(mixer: Mixer, wrench: Wrench) -> tuple[float, ...]:
 
 @kernel
 def _rotor(share: Effect, moment: Vec) -> Rotor:
-    """Contributions of one rotor to each part of a wrench; every rotor must contribute to lift."""
+    """Contributions of one rotor to each part of a wrench; every rotor must contribute to lift.
+
+    One that a pilot does not use contributes next to nothing, 1e-9 of the lift.
+    """
     collective = share.thrust if share.thrust > SMALL else SMALL
     return Rotor(collective, share.roll * moment.x + share.pitch * moment.y, share.yaw * moment.z)
 

@@ -9,7 +9,7 @@ in Table IV.  Two stiffnesses are fitted to the steps of Quad, and those of ARQ 
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any, Literal, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple, Self
 
 from springback.control.attitude import FullQuaternion, LeeSO3, Reduced
 from springback.control.position import PositionLaw
@@ -23,6 +23,8 @@ from springback.settings import Settings, problem
 #: Fraction of the weight that the position loop always lifts, so that the direction of thrust is
 #: defined (chosen: nearly free fall is still allowed).
 LEAST_LIFT = 0.05
+#: Mass of Quad [kg]; a lighter robot with its stiffness would be too fast for its attitude loop.
+LIGHT = 1.214
 #: Unreachable thrust [N], for a position loop without limit.
 FAR_BEYOND = 1e9
 #: Rate error at which the rate loop's integral stops growing: 400 deg/s, PX4's RateControl.
@@ -49,7 +51,9 @@ class ControlSettings(Settings):
     """The cascade of position, attitude and rate control."""
 
     stiffness: Annotated[float, Unit("N/m", least=0.0)] = 9.25
-    """K_p, horizontal. Fitted to Quad's steps in Table IV (studies/gains.py)."""
+    """K_p, horizontal. Fitted to Quad's steps in Table IV (studies/gains.py); by default less in
+    proportion for a lighter robot, which is then as fast as Quad; so is `vertical_stiffness`.
+    """
     vertical_stiffness: Annotated[float, Unit("N/m", least=0.0)] = 20.0
     """K_p, vertical. Fitted, as above."""
     damping_ratio: Annotated[float, Unit("", least=0.0)] = BESSEL
@@ -127,6 +131,16 @@ class ControlSettings(Settings):
     """[Hz] PX4, driven by the gyroscope."""
     offboard_delay: Annotated[float, Unit("s", least=0.0)] = 0.01
     """Delay from the position loop to the autopilot. Chosen: one period of the position loop."""
+
+    def for_mass(self, mass: float) -> Self:
+        """These settings, the stiffnesses that are not given being those for a mass [kg]."""
+        usual = {"stiffness", "vertical_stiffness"} - self.model_fields_set
+        if mass >= LIGHT or not usual:
+            return self
+        defaults = type(self).model_fields
+        return self.model_copy(
+            update={name: float(defaults[name].default) * mass / LIGHT for name in usual}
+        )
 
     def damping_for(self, mass: float) -> tuple[float, float]:
         """K_v, horizontal and vertical [N s/m]: as given, else 2 ζ √(K_p m) for a mass m [kg]."""

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from springback.kernels.compiler import kernel
+from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import tree_map, tree_sum
 from springback.kernels.vectors import Mat3, Vec, axiswise, positive_part, within
+from springback.vehicle.arms.joints import JointedArm, joint_pose, point_inertia
 from springback.vehicle.state import Airframe, Arm, arms_inertia
 
 #: A moment short by less than this counts as met: rounding [N m].
@@ -46,8 +47,21 @@ def rate_memory(angular_velocity: Vec) -> RateMemory:
     return RateMemory(angular_velocity, angular_velocity * 0.0)
 
 
+@generic
+def second_moment(arm: Any, length: float) -> Any:
+    """Second moment of mass of an arm at a length [m], for `arms_inertia` [kg m²]."""
+    raise TypeError(f"{type(arm).__name__} is not an arm")
+
+
+@second_moment.register(JointedArm)
 @kernel
-def _second_moment(arm: Arm, length: float) -> Vec:
+def _of_joint(arm: JointedArm, length: float) -> Mat3:
+    return point_inertia(arm.mass, joint_pose(arm, length, 0.0).end)
+
+
+@second_moment.register(Arm)
+@kernel
+def _of_slide(arm: Arm, length: float) -> Vec:
     """Second moment m_j l_j² (e_x², e_y², e_x e_y) [kg m²]."""
     square = arm.mass * length * length
     return Vec(
@@ -61,7 +75,7 @@ def _second_moment(arm: Arm, length: float) -> Vec:
 def inertia_at(airframe: Airframe, lengths: tuple[float, ...]) -> Mat3:
     """Inertia J(l) of body and arms about the main body at given arm lengths, body axes [kg m²]."""
     return airframe.inertia + arms_inertia(
-        tree_sum(tree_map(_second_moment, (airframe.arms, lengths), ()))
+        tree_sum(tree_map(second_moment, (airframe.arms, lengths), ()))
     )
 
 

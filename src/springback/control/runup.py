@@ -25,7 +25,7 @@ from springback.control.septics import Row, septics, shares
 from springback.errors import InputError
 from springback.kernels.vectors import Vec
 from springback.vehicle.hulls import hull_reach
-from springback.vehicle.state import Airframe, arm_direction
+from springback.vehicle.state import Airframe, arm_pose
 
 #: Segments of every run-up: the most that one needs, with its steady phase and two after contact.
 SEGMENTS = KNOTS + 4
@@ -60,13 +60,16 @@ def reach(airframe: Airframe, contact_point: Any, pitch: float, yaw: float = 0.0
     inward = Vec(math.cos(pitch) * ahead, 0.0 - aside, math.sin(pitch))  # world X in body axes
     ends = []
     for arm in airframe.arms:
-        e = arm_direction(arm)
-        at = support(contact_point, inward, e, arm.cage_radius)
-        ends.append(inward @ (arm.length * e + at.point) - at.inset)
+        if arm.caged == 0.0:
+            continue
+        pose = arm_pose(arm, arm.length, 0.0, inward)  # only its position is used
+        at = support(contact_point, inward, pose.direction, arm.cage_radius)
+        ends.append(inward @ (pose.lever + at.point) - at.inset)
     hulls = [hull_reach(hull, inward) for hull in airframe.hull]
     for arm in airframe.arms:
         at_end = [hull_reach(hull, inward) for hull in arm.hull]
-        hulls += [arm.length * (inward @ arm_direction(arm)) + ahead for ahead in at_end]
+        end = arm_pose(arm, arm.length, 0.0, inward).lever
+        hulls += [inward @ end + ahead for ahead in at_end]
     return max(ends + hulls)
 
 

@@ -14,6 +14,7 @@ from pydantic import model_validator
 from springback.dynamics.gusts import Dryden, NoGusts, dryden, low_altitude
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.tracing import traceable  # for batch set-up
+from springback.kernels.trees import fold
 from springback.kernels.vectors import Mat3, Vec, norm
 from springback.quantities import Speed, Triple, Unit
 from springback.settings import Settings, problem
@@ -175,3 +176,14 @@ def _turbulence(
     if level > 0.0:
         along = Vec(wind[0] / level, wind[1] / level, 0.0)
     return dryden(intensity, scale, airspeed or norm(Vec(*wind)), tick, along)
+
+
+@kernel
+def _about_z(moment: Vec, reaction: float) -> Vec:
+    return Vec(moment.x, moment.y, moment.z + reaction)
+
+
+@kernel
+def with_reaction(moment: Vec, reaction: tuple[float, ...]) -> Vec:
+    """Moment of the rotors [N m] with that of their changes of speed, about body z, if known."""
+    return fold(_about_z, moment, reaction, ())

@@ -7,18 +7,17 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.contact.cage import lowest_gap, obstacles_in_body_frame, obstacles_now
-from springback.contact.hull_contact import arm_gap, hull_gap
+from springback.contact.cage import lowest_gap, obstacles_in_body_frame
+from springback.contact.hull_contact import BodySight, arm_gap, arm_sight, body_sight, hull_gap
 from springback.contact.obstacles import World
 from springback.contact.rings import FAR
 from springback.contact.scene.faces import SolidScene
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import minimum, one_tuple, tree_map
-from springback.kernels.vectors import Vec, rotation
-from springback.vehicle.state import Airframe, Arm, ArmPose, Propeller, State, arm_pose
-
-#: A propeller this near is hit [m] (chosen: a search from outside ends at a surface).
-AT_HIT = 1e-5
+from springback.kernels.vectors import Vec
+from springback.vehicle.placed.rotors import PlacedRotor, PlacedRotors, RotorPose, poses_at
+from springback.vehicle.rotor_stop import AT_HIT
+from springback.vehicle.state import Airframe, ArmPose, Propeller, State
 
 
 @kernel
@@ -29,17 +28,17 @@ def _of_disc(disc: Propeller, obstacles: Any, pose: ArmPose, looks: float) -> fl
 
 @kernel
 def _of_propeller(
-    arm: Arm, length: float, rate: float, obstacles: Any, state: State, looks: float
+    arm: Any, length: float, rate: float, around: BodySight, looks: float
 ) -> tuple[float, ...]:
-    pose = arm_pose(arm, length, rate, state.velocity)  # only its position is used
+    pose, obstacles, _ = arm_sight(arm, length, rate, around)  # only its position is used
     return tree_map(_of_disc, (arm.propeller,), (obstacles, pose, looks))
 
 
 @kernel
-def propeller_gaps(
+def disc_gaps(
     airframe: Airframe, world: World, state: State, looks: float
-) -> tuple[float, ...]:
-    """Gap between each propeller and the nearest obstacle, or less if that is far [m].
+) -> tuple[tuple[float, ...], ...]:
+    """For each rotor, the gap between its propeller and the nearest obstacle, or less if far [m].
 
     There is none for propellers of unknown size.
 
@@ -49,10 +48,46 @@ def propeller_gaps(
         state: State of the vehicle.
         looks: 0 where no part can touch: nothing is then looked for.
     """
-    there = obstacles_now(world.obstacles, state.bodies)
-    obstacles = obstacles_in_body_frame(there, state.position, rotation(state.attitude))
+    return gaps_of_discs(airframe.rotors, airframe, world, state, looks)
+
+
+@generic
+def gaps_of_discs(
+    rotors: Any, airframe: Airframe, world: World, state: State, looks: float
+) -> tuple[tuple[float, ...], ...]:
+    """As `disc_gaps`, by the list of rotors; without one those at the ends of arms."""
+    around = body_sight(world.obstacles, state, 0.0)
     arms = (airframe.arms, state.arm_length, state.arm_rate)
-    return one_tuple(tree_map(_of_propeller, arms, (obstacles, state, looks)))
+    return tree_map(_of_propeller, arms, (around, looks))
+
+
+@kernel
+def _of_listed(
+    rotor: PlacedRotor, pose: RotorPose, around: BodySight, looks: float
+) -> tuple[float, ...]:
+    """Obstacles are seen from the axes of the disc, about the main body, as by a hinged arm."""
+    turn = pose.mount.aim @ rotor.axes
+    obstacles = obstacles_in_body_frame(around.there, around.body.position, around.body.r @ turn)
+    lever, none = (pose.mount.end + pose.lever) @ turn, Vec(0.0, 0.0, 0.0)
+    return tree_map(_of_disc, (rotor.propeller,), (obstacles, ArmPose(none, lever, none), looks))
+
+
+@gaps_of_discs.register(PlacedRotors)
+@kernel
+def _of_all_listed(
+    rotors: PlacedRotors, airframe: Airframe, world: World, state: State, looks: float
+) -> tuple[tuple[float, ...], ...]:
+    around = body_sight(world.obstacles, state, 0.0)
+    poses = poses_at(rotors, airframe.arms, state.arm_length)
+    return tree_map(_of_listed, (rotors.each, poses), (around, looks))
+
+
+@kernel
+def propeller_gaps(
+    airframe: Airframe, world: World, state: State, looks: float
+) -> tuple[float, ...]:
+    """As `disc_gaps`, for all propellers of known size."""
+    return one_tuple(disc_gaps(airframe, world, state, looks))
 
 
 @kernel
@@ -75,10 +110,8 @@ def first_hits(
 
 
 @kernel
-def _of_arm(
-    arm: Arm, length: float, rate: float, obstacles: Any, point: Any, state: State
-) -> float:
-    pose = arm_pose(arm, length, rate, state.velocity)  # only its position is used
+def _of_arm(arm: Any, length: float, rate: float, point: Any, around: BodySight) -> float:
+    pose, obstacles, _ = arm_sight(arm, length, rate, around)  # only its position is used
     return arm_gap(arm, obstacles, point, pose)
 
 
@@ -94,12 +127,10 @@ def clearance(airframe: Airframe, world: World, contact_point: Any, state: State
         contact_point: `springback.contact.cage.Ring` or `ArmTip`.
         state: State of the vehicle.
     """
-    r = rotation(state.attitude)
-    there = obstacles_now(world.obstacles, state.bodies)
-    obstacles = obstacles_in_body_frame(there, state.position, r)
+    around = body_sight(world.obstacles, state, 0.0)
     arms = (airframe.arms, state.arm_length, state.arm_rate)
-    cages = tree_map(_of_arm, arms, (obstacles, contact_point, state))
-    return minimum(cages + tree_map(hull_gap, (airframe.hull,), (obstacles,)))
+    cages = tree_map(_of_arm, arms, (contact_point, around))
+    return minimum(cages + tree_map(hull_gap, (airframe.hull,), (around.obstacles,)))
 
 
 @kernel

@@ -7,15 +7,21 @@ from typing import Any, NamedTuple
 from springback.contact.cage import (
     BodyMotion,
     ContactFace,
-    body_motion,
-    obstacles_in_body_frame,
-    obstacles_now,
 )
-from springback.contact.hull_contact import arm_faces, hull_faces
+from springback.contact.hull_contact import (
+    BodySight,
+    arm_faces,
+    arm_sight,
+    body_sight,
+    hull_faces,
+    hull_pose,
+)
+from springback.contact.laws.hysteresis import Pressing, hysteretic_energy
+from springback.contact.laws.memory import arm_memory, hull_memory
 from springback.contact.obstacles import World
 from springback.contact.surfaces import elastic_energy
 from springback.dynamics.moving_obstacles import BodyEnergy, bodies_energy
-from springback.kernels.compiler import rare_kernel
+from springback.kernels.compiler import generic, rare_kernel
 from springback.kernels.trees import field_of, fold, replace, tree_map, tree_sum
 from springback.kernels.vectors import (
     Mat3,
@@ -24,13 +30,17 @@ from springback.kernels.vectors import (
     rotation,
     solve_symmetric,
 )
+from springback.vehicle.arms.joints import JointedArm, joint_pose, joint_spring, point_inertia
+from springback.vehicle.arms.neighbours import neighbour_energy
 from springback.vehicle.state import (
     Airframe,
     Arm,
+    PartMemory,
+    Shell,
     State,
     arm_direction,
-    arm_pose,
     arms_inertia,
+    upper_stop,
 )
 
 
@@ -39,7 +49,7 @@ class Energy(NamedTuple):
 
     kinetic: float
     gravity: float  # above Z = 0
-    springs: float  # arm springs
+    springs: float  # of the arms, and between them
     stops: float  # end stops
     contact: float  # elastic part of the contacts
     obstacles: float  # of obstacles that move by themselves: all of theirs
@@ -53,65 +63,124 @@ class Energy(NamedTuple):
 
 @rare_kernel
 def _arm_energy(
-    arm: Arm,
+    arm: Any,
     length: float,
     rate: float,
-    world: World,
+    memory: PartMemory,
+    gravity: float,
     contact_point: Any,
-    body: BodyMotion,
+    around: BodySight,
 ) -> Energy:
-    """Energy of an arm in a world whose obstacles are in the body frame."""
-    pose = arm_pose(arm, length, rate, body.velocity)
+    """Energy of an arm."""
+    pose, obstacles, body = arm_sight(arm, length, rate, around)
     velocity = pose.sliding + (body.omega ^ pose.lever)
-    faces = arm_faces(arm, world.obstacles, contact_point, pose, 1.0)
-    stored = tree_map(_contact_energy, (faces,), ())
+    faces = arm_faces(arm, obstacles, contact_point, pose, 1.0)
+    stored = tree_map(_contact_energy, (faces,), (memory, pose.lever))
     pressed = positive_part(arm.shortest - length) * positive_part(arm.shortest - length)
-    pressed += positive_part(length - arm.length) * positive_part(length - arm.length)
+    beyond = positive_part(length - upper_stop(arm))
+    pressed += beyond * beyond
     return Energy(
         kinetic=0.5 * arm.mass * (velocity @ velocity),
-        gravity=arm.mass * world.gravity * (body.position.z + body.vertical @ pose.lever),
-        springs=0.5
-        * arm.compliance
-        * arm.stiffness
-        * (arm.length - length)
-        * (arm.length - length),
+        gravity=arm.mass * gravity * (body.position.z + body.vertical @ pose.lever),
+        springs=spring_energy(arm, length),
         stops=0.5 * arm.compliance * arm.stop_stiffness * pressed,
         contact=tree_sum(stored),
         obstacles=0.0,
     )
 
 
+@generic
+def spring_energy(arm: Any, length: float) -> float:
+    """Energy in the spring of an arm [J]."""
+    raise TypeError(f"{type(arm).__name__} is not an arm")
+
+
+@spring_energy.register(Arm)
 @rare_kernel
-def _contact_energy(face: ContactFace) -> float:
-    return elastic_energy(face.surface, positive_part(-face.nearest.gap))
+def _in_slide(arm: Arm, length: float) -> float:
+    return 0.5 * arm.compliance * arm.stiffness * (arm.length - length) * (arm.length - length)
+
+
+@spring_energy.register(JointedArm)
+@rare_kernel
+def _in_joint(arm: JointedArm, length: float) -> float:
+    return arm.compliance * joint_spring(arm, length).energy
 
 
 @rare_kernel
-def _hull_energy(so_far: float, hull: Any, obstacles: Any) -> float:
-    """Elastic energy of contacts, with those of the hull added [J]."""
-    return so_far + tree_sum(tree_map(_contact_energy, (hull_faces(hull, obstacles, 1.0),), ()))
+def _contact_energy(face: ContactFace, memory: PartMemory, end: Vec) -> float:
+    """Energy that a contact of a part will give back [J].
+
+    Args:
+        face: In the body frame.
+        memory: Of the part.
+        end: From the main body to what the levers of the part begin at [m].
+    """
+    there, depth = face.nearest, positive_part(-face.nearest.gap)
+    place = end + there.at.normal_lever
+    at = Pressing(face.surface, place, there.inward, depth, 0.0, 0.0)
+    elastic = elastic_energy(face.surface, depth)
+    return fold(hysteretic_energy, elastic, memory.pressed, (at,))
+
+
+@rare_kernel
+def _hull_energy(hull: Any, memory: PartMemory, obstacles: Any, body: BodyMotion) -> float:
+    """Energy that the contacts of the hull will give back [J]."""
+    faces, pose = hull_faces(hull, obstacles, 1.0), hull_pose(hull, body.velocity)
+    return tree_sum(tree_map(_contact_energy, (faces,), (memory, pose.lever)))
 
 
 @rare_kernel
 def energy(airframe: Airframe, world: World, contact_point: Any, state: State) -> Energy:
     """Mechanical energy of a vehicle [J], eqs. (5) and (7) with contact and end stops added."""
-    body, omega = body_motion(state, 0.0), state.angular_velocity
-    there = obstacles_now(world.obstacles, state.bodies)
-    obstacles = obstacles_in_body_frame(there, state.position, body.r)
+    around, omega = body_sight(world.obstacles, state, 0.0), state.angular_velocity
+    obstacles, body = around.obstacles, around.body
     arms = tree_map(
         _arm_energy,
-        (airframe.arms, state.arm_length, state.arm_rate),
-        (replace(world, obstacles=obstacles), contact_point, body),
+        (
+            airframe.arms,
+            state.arm_length,
+            state.arm_rate,
+            arm_memory(state.memory, airframe.arms),
+        ),
+        (world.gravity, contact_point, around),
     )
     a = tree_sum(arms)
     body_mass = airframe.mass - tree_sum(field_of(airframe.arms, "mass"))
     kinetic = 0.5 * body_mass * (state.velocity @ state.velocity)
     kinetic += 0.5 * (omega @ (airframe.inertia @ omega))
+    shells = tree_map(_spin_energy, (hull_memory(state.memory, airframe.hull), airframe.hull), ())
+    kinetic = tree_sum((kinetic,) + shells)  # noqa: RUF005
     gravity = body_mass * world.gravity * state.position.z
-    contact = fold(_hull_energy, a.contact, airframe.hull, (obstacles,))
-    held = Energy(a.kinetic + kinetic, a.gravity + gravity, a.springs, a.stops, contact, 0.0)
+    on_hull = hull_memory(state.memory, airframe.hull)
+    of_hull = tree_map(_hull_energy, (airframe.hull, on_hull), (obstacles, body))
+    contact = tree_sum((a.contact,) + of_hull)  # noqa: RUF005
+    springs = a.springs + neighbour_energy(
+        airframe.neighbours, airframe.arms, state.arm_length, state.arm_rate
+    )
+    held = Energy(a.kinetic + kinetic, a.gravity + gravity, springs, a.stops, contact, 0.0)
     moving = bodies_energy(world.obstacles, state.bodies, world.gravity)
     return fold(_with_body, held, moving, ())
+
+
+@rare_kernel
+def _spin_energy(memory: PartMemory, hull: Any) -> float:
+    return fold(_with_spin_energy, 0.0, memory.spin, (hull,))
+
+
+@rare_kernel
+def _with_spin_energy(so_far: float, spin: Vec, shell: Shell) -> float:
+    return so_far + 0.5 * shell.inertia * (spin @ spin)
+
+
+@rare_kernel
+def _own_spin(memory: PartMemory, hull: Any) -> Vec:
+    return fold(_with_spin_momentum, Vec(0.0, 0.0, 0.0), memory.spin, (hull,))
+
+
+@rare_kernel
+def _with_spin_momentum(so_far: Vec, spin: Vec, shell: Shell) -> Vec:
+    return so_far + shell.inertia * spin
 
 
 @rare_kernel
@@ -125,15 +194,31 @@ class Spread(NamedTuple):
 
     first: Vec  # Σ m_j r_j [kg m]
     drift: Vec  # Σ m_j l̇_j e_j [kg m/s]
-    second: Vec  # Σ m_j l_j² (e_x², e_y², e_x e_y) [kg m²]
+    second: Any  # Σ m_j l_j² (e_x², e_y², e_x e_y), or as inertia of arms on joints [kg m²]
+    swing: Vec  # Σ m_j l̇_j r_j × e_j [kg m²/s]
 
 
-@rare_kernel
-def spread(arm: Arm, length: float, rate: float) -> Spread:
+@generic
+def spread(arm: Any, length: float, rate: float) -> Spread:
     """Mass moments of one arm."""
+    raise TypeError(f"{type(arm).__name__} is not an arm")
+
+
+@spread.register(JointedArm)
+@rare_kernel
+def _on_joint(arm: JointedArm, length: float, rate: float) -> Spread:
+    there, m = joint_pose(arm, length, rate), arm.mass
+    first, drift = m * there.end, (m * rate) * there.direction
+    return Spread(first, drift, point_inertia(m, there.end), there.end ^ drift)
+
+
+@spread.register(Arm)
+@rare_kernel
+def _on_slide(arm: Arm, length: float, rate: float) -> Spread:
     e, m = arm_direction(arm), arm.mass
     squares = Vec(e.x * e.x, e.y * e.y, e.x * e.y)
-    return Spread((m * length) * e, (m * rate) * e, (m * length * length) * squares)
+    none = Vec(0.0, 0.0, 0.0)
+    return Spread((m * length) * e, (m * rate) * e, (m * length * length) * squares, none)
 
 
 @rare_kernel
@@ -153,12 +238,14 @@ def angular_momentum(airframe: Airframe, state: State) -> Vec:
     now = tree_sum(tree_map(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
     omega, m = state.angular_velocity, airframe.mass
     centre, drift = now.first * (1.0 / m), now.drift * (1.0 / m)
-    about_body = (airframe.inertia + arms_inertia(now.second)) @ omega
-    return rotation(state.attitude) @ (about_body - m * (centre ^ ((omega ^ centre) + drift)))
+    about_body = (airframe.inertia + arms_inertia(now.second)) @ omega + now.swing
+    of_parts = rotation(state.attitude) @ (about_body - m * (centre ^ ((omega ^ centre) + drift)))
+    memory = hull_memory(state.memory, airframe.hull)
+    return tree_sum((of_parts,) + tree_map(_own_spin, (memory, airframe.hull), ()))  # noqa: RUF005
 
 
 @rare_kernel
-def _still(arm: Arm) -> float:
+def _still(arm: Any) -> float:
     return 0.0
 
 
@@ -186,5 +273,5 @@ def locked_state(airframe: Airframe, state: State) -> State:
         state.arm_length,
         tree_map(_still, (airframe.arms,), ()),
         state.bodies,
-        state.bristles,
+        state.memory,
     )

@@ -6,28 +6,39 @@ from typing import Any, NamedTuple
 
 from springback.contact.cage import BodyMotion, moving_bodies
 from springback.contact.hull_contact import hull_faces, hull_pose
+from springback.contact.laws.memory import PartBristles, bristles_of, pressed_of
 from springback.contact.laws.step_bounds import InverseInertia
 from springback.contact.loads import CageContact, contacts_with
 from springback.dynamics.crossing import Crossing, soonest
+from springback.dynamics.limbs.shell import (
+    ShellState,
+    as_shell,
+    friction_rate_with_shell,
+    hull_motion,
+    shells_of,
+    spin_of,
+    with_shell,
+)
 from springback.dynamics.touches import (
     BodyAcceleration,
     Contact,
-    PartBristles,
     PartPush,
     Slip,
-    bristles_of,
+    TurningPoint,
     contact_of,
     crossing_of,
+    or_turn,
     slip_of,
     slip_rate,
     strikes,
     touch_of,
+    turning_points_of,
     with_push,
 )
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import field_of, fold, maximum, tree_map, tree_sum
+from springback.kernels.trees import field_of, fold, maximum, one_tuple, replace, tree_map, tree_sum
 from springback.kernels.vectors import Vec, positive_part
-from springback.vehicle.state import Bristles
+from springback.vehicle.state import PartMemory, PressedPoints
 
 
 class HullView(NamedTuple):
@@ -40,6 +51,7 @@ class HullView(NamedTuple):
     crossing: Crossing  # of a gap: the next zero
     engaged: tuple[float, ...]  # 1 while the hull touches, for each face
     impulsive: float  # 1 where it closes in on a surface of the impulse law
+    pressed: tuple[PressedPoints, ...]  # what its contacts remember, if a surface does
 
 
 class HullState(NamedTuple):
@@ -52,6 +64,9 @@ class HullState(NamedTuple):
     farthest: float  # bound on the squared distance of its contact points from the main body [m²]
     slips: tuple[Slip, ...]  # one for each face
     bristles: tuple[PartBristles, ...]  # if a surface has any
+    turns: tuple[TurningPoint, ...]  # one for each face, if a surface remembers the deepest depth
+    shell: tuple[ShellState, ...]  # if it turns by itself
+    spin: tuple[Vec, ...]  # Ω̇ of that, world axes [rad/s²]
 
 
 @kernel
@@ -59,23 +74,24 @@ def hull_state(
     hull: Any,
     engaged: tuple[float, ...],
     push: tuple[PartPush, ...],
-    bristles: tuple[Bristles, ...],
+    memory: PartMemory,
     obstacles: Any,
     body: BodyMotion,
 ) -> HullState:
     """Contact, view and step limits of the hull at one instant.
 
     Args:
-        hull: Hull of the main body, a `Sphere` or a `CompoundHull`.
+        hull: Hull of the main body, a `Sphere`, a `CompoundHull` or a `Shell`.
         engaged: For each face, 0 if it was not touched when the step began.
         push: Of another vehicle, if there is one.
-        bristles: Of the hull, if a surface has any.
+        memory: Of its contacts.
         obstacles: In the body frame.
         body: Motion of the main body.
     """
+    there = hull_motion(hull, memory, body)
     faces = hull_faces(hull, obstacles, maximum(engaged))
-    pose = hull_pose(hull, body.velocity)
-    met = contacts_with(obstacles, faces, engaged, bristles, pose, body)
+    pose = hull_pose(hull, there.velocity)
+    met = contacts_with(obstacles, faces, engaged, memory, pose, there)
     load, touches = tree_sum(field_of(met, "touch")), touch_of(met, push, body.r)
     touch = fold(with_push, load, push, (Vec(0.0, 0.0, 0.0), body.r))
     view = HullView(
@@ -86,12 +102,25 @@ def hull_state(
         crossing=soonest(tree_map(crossing_of, (met,), ())),
         engaged=touches.engaged,
         impulsive=maximum(tree_map(strikes, (met,), ())),
+        pressed=pressed_of(memory, met),
     )
     farthest = maximum(tree_map(_square_distance, (met,), ()))
     slips = tree_map(slip_of, (met,), ())
     contact = contact_of(touch, moving_bodies(obstacles), met)
-    held = bristles_of(bristles, met, body.r)
-    return HullState(contact, view, touches.inward, touch.grip.alone, farthest, slips, held)
+    held = bristles_of(memory, met, body.r)
+    turns = one_tuple(tree_map(turning_points_of, (met,), ()))
+    shell = shells_of(hull, memory, contact, body)
+    return HullState(
+        fold(with_shell, contact, shell, ()), view, touches.inward, touch.grip.alone, farthest,
+        slips, held, turns, shell, tree_map(spin_of, (shell,), ()),
+    )  # fmt: skip
+
+
+@kernel
+def view_with_turns(hull: HullState, body: BodyAcceleration) -> HullView:
+    """View of the hull, with the next turn of its contacts."""
+    moves = fold(as_shell, body, hull.shell, ())
+    return replace(hull.seen, crossing=fold(or_turn, hull.seen.crossing, hull.turns, (moves,)))
 
 
 @kernel
@@ -114,7 +143,8 @@ def friction_rate_with_hull(
         mass: Mass that does not slide on arms [kg].
         inverse: Reciprocals of the inertia about the main body.
     """
-    return rate + hull.damper * (1.0 / mass + hull.farthest * inverse.largest)
+    alone = rate + hull.damper * (1.0 / mass + hull.farthest * inverse.largest)
+    return fold(friction_rate_with_shell, alone, hull.shell, (hull.damper, inverse))
 
 
 @kernel
@@ -125,4 +155,4 @@ def hull_slip_rate(hull: HullState, body: BodyAcceleration) -> float:
         hull: State of the hull.
         body: Acceleration of the main body.
     """
-    return maximum(tree_map(slip_rate, (hull.slips,), (body,)))
+    return maximum(tree_map(slip_rate, (hull.slips,), (fold(as_shell, body, hull.shell, ()),)))

@@ -18,11 +18,15 @@ from typing import Any, NamedTuple
 from springback.contact.cage import (
     BodyMotion,
     ContactFace,
-    body_motion,
-    obstacles_in_body_frame,
-    obstacles_now,
 )
-from springback.contact.hull_contact import arm_faces, hull_contact, hull_faces
+from springback.contact.hull_contact import (
+    BodySight,
+    arm_faces,
+    arm_sight,
+    body_sight,
+    hull_contact,
+    hull_faces,
+)
 from springback.contact.loads import CageContact, face_contact
 from springback.contact.obstacles import World
 from springback.contact.surfaces import Surface, slip_velocity
@@ -31,7 +35,7 @@ from springback.dynamics.motion import LANDED, RESTING, Free, Motion, Slider, Wo
 from springback.kernels.compiler import generic, rare_kernel
 from springback.kernels.trees import one_tuple, tree_map, tree_sum
 from springback.kernels.vectors import Mat3, Vec, positive_part, solve_symmetric
-from springback.vehicle.state import Airframe, Arm, State, arm_pose, arms_inertia
+from springback.vehicle.state import Airframe, PartMemory, State, arms_inertia
 
 #: Speeds below this are rounding [m/s].
 STILL = 1e-12
@@ -60,12 +64,12 @@ class ImpulseContact(NamedTuple):
 
 @rare_kernel
 def _hit_by_arm(face: ContactFace, arm: Any, body: BodyMotion) -> ImpulseContact:
-    return _hit(face_contact(face, 1.0, (), arm, body), body.r)
+    return _hit(face_contact(face, 1.0, PartMemory((), (), ()), arm, body), body.r)
 
 
 @rare_kernel
 def _hit_by_hull(face: ContactFace, hull: Any, body: BodyMotion) -> ImpulseContact:
-    return _hit(hull_contact(face, 1.0, (), hull, body), body.r)
+    return _hit(hull_contact(face, 1.0, PartMemory((), (), ()), hull, body), body.r)
 
 
 @rare_kernel
@@ -85,14 +89,9 @@ def _hit(met: CageContact, r: Mat3) -> ImpulseContact:
 
 @rare_kernel
 def _hits_of_arm(
-    arm: Arm,
-    length: float,
-    rate: float,
-    obstacles: Any,
-    contact_point: Any,
-    body: BodyMotion,
+    arm: Any, length: float, rate: float, contact_point: Any, around: BodySight
 ) -> tuple[ImpulseContact, ...]:
-    pose = arm_pose(arm, length, rate, body.velocity)
+    pose, obstacles, body = arm_sight(arm, length, rate, around)
     faces = arm_faces(arm, obstacles, contact_point, pose, 1.0)
     return tree_map(_hit_by_arm, (faces,), (pose, body))
 
@@ -177,21 +176,19 @@ def apply_impulses(
     impulses as friction, the rest as contact loss.
     """
     state, work = motion.state, motion.work
-    body, m = body_motion(state, 0.0), airframe.mass
-    r = body.r
+    around, m = body_sight(world.obstacles, state, 0.0), airframe.mass
+    body, r = around.body, around.body.r
     arms = tree_sum(tree_map(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
     centre, drift = r @ (arms.first * (1.0 / m)), r @ (arms.drift * (1.0 / m))
     inertia = airframe.inertia + arms_inertia(arms.second)
     inertia = about_mass_centre(inertia, m, arms.first * (1.0 / m))
-    there = obstacles_now(world.obstacles, state.bodies)
-    obstacles = obstacles_in_body_frame(there, state.position, r)
     up = Vec(0.0, 0.0, 1.0)
     of_cages = tree_map(
         _hits_of_arm,
         (airframe.arms, state.arm_length, state.arm_rate),
-        (obstacles, contact_point, body),
+        (contact_point, around),
     )
-    hits = one_tuple(of_cages + tree_map(_hits_of_hull, (airframe.hull,), (obstacles, body)))
+    hits = one_tuple(of_cages + tree_map(_hits_of_hull, (airframe.hull,), (around.obstacles, body)))
     count = len(hits)
     w = r @ state.angular_velocity
     v = state.velocity + (w ^ centre) + drift
@@ -281,7 +278,7 @@ def apply_impulses(
         state.arm_length,
         state.arm_rate,
         state.bodies,
-        state.bristles,
+        state.memory,
     )
     before = energy(airframe, world, contact_point, state)
     left = energy(airframe, world, contact_point, after)

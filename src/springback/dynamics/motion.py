@@ -26,32 +26,46 @@ Newton–Euler equations (1), for any position of the centre of mass.
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple, Protocol
+from typing import NamedTuple
 
 from springback.contact.cage import LANDED as LANDED
 from springback.contact.cage import (
-    BodyMotion,
-    body_motion,
     moving_bodies,
-    obstacles_in_body_frame,
-    obstacles_now,
 )
-from springback.contact.hull_contact import arm_faces, arm_flags, hull_flags
+from springback.contact.hull_contact import arm_flags, body_sight, hull_flags
+from springback.contact.laws.memory import (
+    arm_memory,
+    friction_rate_with_bristles,
+    hull_memory,
+    memory_rates,
+)
 from springback.contact.laws.step_bounds import (
-    ArmFrictionRate,
-    FrictionDamping,
-    Stiffness,
     contact_rate_bound,
     friction_rate_bound,
     inverse_inertia,
 )
-from springback.contact.loads import contacts_with
-from springback.contact.obstacles import World
 from springback.dynamics.air import aerodynamics
-from springback.dynamics.crossing import Crossing, sooner, soonest
 from springback.dynamics.hull_state import HullView as HullView
-from springback.dynamics.hull_state import friction_rate_with_hull, hull_slip_rate, hull_state
+from springback.dynamics.hull_state import (
+    friction_rate_with_hull,
+    hull_slip_rate,
+    hull_state,
+    view_with_turns,
+)
 from springback.dynamics.ledger import Work as Work
+from springback.dynamics.limbs import jointed as jointed  # registers arms on joints
+from springback.dynamics.limbs.arms import (
+    ActingLoad,
+    ArmView,
+    Surroundings,
+    arm_acceleration,
+    arm_motion,
+    arm_slip_rate,
+    arm_state,
+    assemble,
+    completed_view,
+)
+from springback.dynamics.limbs.surface_effect import thrusts_near
 from springback.dynamics.moving_obstacles import VehiclePlace, all_flags, bodies_rates
 from springback.dynamics.obstacle_views import (
     BodyView,
@@ -60,32 +74,18 @@ from springback.dynamics.obstacle_views import (
     with_body_rates,
 )
 from springback.dynamics.solution import Free as Free
+from springback.dynamics.solution import Plant as Plant
 from springback.dynamics.solution import Slider as Slider
 from springback.dynamics.solution import System as System
 from springback.dynamics.solution import solve as solve
-from springback.dynamics.stops import AHEAD, next_stop
+from springback.dynamics.stops import AHEAD
 from springback.dynamics.stops import end_stop as end_stop
 from springback.dynamics.touches import RESTING as RESTING
 from springback.dynamics.touches import (
     BodyAcceleration,
     Contact,
-    PartBristles,
-    PartPush,
-    Slip,
-    arm_bristles,
     arm_pushes,
-    bristle_rates,
-    bristles_of,
-    contact_of,
-    crossing_of,
-    friction_rate_with_bristles,
-    hull_bristles,
     hull_pushes,
-    slip_of,
-    slip_rate,
-    strikes,
-    touch_of,
-    with_push,
 )
 from springback.dynamics.touches import Engaged as Engaged
 from springback.kernels.compiler import kernel
@@ -94,22 +94,16 @@ from springback.kernels.trees import (
     fold,
     maximum,
     one_tuple,
-    replace,
-    select,
     tree_map,
     tree_map_sum,
     tree_sum,
 )
-from springback.kernels.vectors import Vec, positive_part, quaternion_rate
+from springback.kernels.vectors import Vec, quaternion_rate
+from springback.vehicle.arms.neighbours import neighbour_load
+from springback.vehicle.placed.rotors import acting_rotors, with_lift
 from springback.vehicle.state import (
-    Airframe,
-    Arm,
-    Bristles,
     State,
-    arm_pose,
-    arms_inertia,
     fastest_cage,
-    planar_product,
     reach,
 )
 
@@ -119,22 +113,6 @@ class Motion(NamedTuple):
 
     state: State
     work: Work
-
-
-class ArmView(NamedTuple):
-    """Observable quantities of one arm."""
-
-    gap: float  # to the nearest obstacle [m]
-    depth: float  # deepest penetration [m]
-    normal: float  # f_n [N]
-    friction: Vec  # f_f, world [N]
-    compression: float  # L − l [m]
-    unbalance: float  # m_j l̈ + b_l l̇, the net force that moves it from its position [N]
-    crossing: Crossing  # of a gap or a stop: the next zero
-    engaged: tuple[float, ...]  # 1 while the cage touches, for each face
-    impulsive: float  # 1 if it approaches a surface of the impulse law
-    bottomed: float  # 1 at the end of the stroke
-    stopped: float  # 1 while an end stop is pressed
 
 
 class View(NamedTuple):
@@ -154,165 +132,6 @@ class View(NamedTuple):
     bodies: tuple[BodyView, ...] = ()  # obstacles that move; mostly none
 
 
-class ArmShare(NamedTuple):
-    """Contribution of one arm to the six equations; vectors in body axes."""
-
-    contact: Contact
-    thrust: float
-    rotor_moment: Vec  # r_j × T_j e_z and the rotor's own torque
-    taken: Vec  # u_j h_j e_j: force that accelerates the sliding arm itself
-    carried: Vec  # m_j r_j
-    drift: Vec  # m_j l̇_j e_j
-    inertia: Vec  # m_j l_j² (e_x², e_y², e_x e_y)
-    half_inertia_rate: Vec  # m_j l_j l̇_j (e_x², e_y², e_x e_y)
-    arm_loss: float
-    stop_loss: float
-    grip: FrictionDamping  # friction as a damper
-
-
-class ArmPull(NamedTuple):
-    """Acceleration of an arm along its slide once a' is known: l̈ = drive − u e·a'."""
-
-    drive: float  # u_j h_j / m_j
-    hold: float  # u_j
-
-
-class Surroundings(NamedTuple):
-    """What all arms of a vehicle share at one instant."""
-
-    obstacles: Any  # in the body frame
-    contact_point: Any  # Ring or ArmTip
-    body: BodyMotion
-    released: float  # 1 lets compliant arms slide, 0 locks them
-
-
-class ArmState(NamedTuple):
-    """All quantities of one arm at one instant."""
-
-    share: ArmShare
-    pull: ArmPull
-    seen: ArmView
-    touched: Vec  # normal into the obstacle that it touches, body; zero without contact
-    grip: ArmFrictionRate
-    slide: Stiffness  # spring and damper along the slide
-    slips: tuple[Slip, ...]  # one for each face
-    bristles: tuple[PartBristles, ...]  # if a surface has any
-
-
-@kernel
-def spring_damper_force(arm: Arm, length: float, rate: float) -> float:
-    """Force of the Kelvin–Voigt arm, k_l (L − l) − b_l l̇: positive lengthens the arm [N].
-
-    The damper opposes l̇ (Rayleigh); the sign printed in eq. (11) would add energy.
-    """
-    return arm.stiffness * (arm.length - length) - arm.damping * rate
-
-
-@kernel
-def arm_state(
-    arm: Arm,
-    length: float,
-    rate: float,
-    thrust: float,
-    engaged: tuple[float, ...],
-    push: tuple[PartPush, ...],
-    bristles: tuple[Bristles, ...],
-    around: Surroundings,
-) -> ArmState:
-    """One arm: contact at its cage, its spring, its stops, its rotor, its inertia.
-
-    Args:
-        arm: Constants of the arm.
-        length: l_j [m].
-        rate: l̇_j [m/s].
-        thrust: T_j [N].
-        engaged: For each face, 0 if the cage did not touch it when the step began.
-        push: Of another vehicle, if there is one.
-        bristles: Of the cage and its hulls, if a surface has any.
-        around: What all arms share.
-    """
-    body, omega = around.body, around.body.omega
-    m, u = arm.mass, arm.compliance * around.released
-    pose = arm_pose(arm, length, rate, body.velocity)
-    e, lever = pose.direction, pose.lever
-
-    touching = maximum(engaged)
-    faces = arm_faces(arm, around.obstacles, around.contact_point, pose, touching)
-    met = contacts_with(around.obstacles, faces, engaged, bristles, pose, body)
-    touch = fold(with_push, tree_sum(field_of(met, "touch")), push, (lever, body.r))
-    touches = touch_of(met, push, body.r)
-    stop = end_stop(arm, length, rate)
-
-    across = e.x * omega.y - e.y * omega.x
-    ml = m * length
-    outward = ml * (across * across + omega.z * omega.z)  # centrifugal force along the arm
-    own = spring_damper_force(arm, length, rate) + stop.force
-    h = e @ touch.force + outward + own
-
-    carried, drift = ml * e, (m * rate) * e
-    per_mass = u * arm.inverse_mass
-    share = ArmShare(
-        contact=contact_of(touch, moving_bodies(around.obstacles), met),
-        thrust=thrust,
-        rotor_moment=thrust * Vec(lever.y, -lever.x, arm.torque_ratio),
-        taken=(u * h) * e,
-        carried=carried,
-        drift=drift,
-        inertia=planar_product(carried, lever),
-        half_inertia_rate=planar_product(drift, lever),
-        arm_loss=u * (arm.damping * rate * rate),
-        stop_loss=u * stop.loss,
-        grip=touch.grip,
-    )
-    slide = Stiffness(
-        (touch.press.arm_stiffness + stop.stiffness) * per_mass,
-        (touch.press.arm_damper + stop.damper) * per_mass,
-    )
-    has_stops = (arm.stop_stiffness > 0.0) & (u > 0.0)
-    stops_at = next_stop(arm, length, rate if has_stops else 0.0)
-    view = ArmView(
-        gap=touches.gap,
-        depth=positive_part(-touches.gap),
-        normal=touch.normal,
-        friction=body.r @ touch.friction,
-        compression=arm.length - length,
-        unbalance=0.0,
-        crossing=sooner(soonest(tree_map(crossing_of, (met,), ())), stops_at),
-        engaged=touches.engaged,
-        impulsive=maximum(tree_map(strikes, (met,), ())),
-        bottomed=1.0 if has_stops & (length < arm.shortest) else 0.0,
-        stopped=1.0 if u * stop.stiffness > 0.0 else 0.0,
-    )
-    grip = ArmFrictionRate(touch.grip.on_arm * per_mass, touch.grip.lean * per_mass)
-    return ArmState(
-        share, ArmPull(h * per_mass, u), view, touches.inward, grip, slide,
-        tree_map(slip_of, (met,), ()), bristles_of(bristles, met, body.r),
-    )  # fmt: skip
-
-
-@kernel
-def _arm_acceleration(arm: Arm, known: ArmState, a: Vec) -> float:
-    return known.pull.drive - known.pull.hold * (arm.cosine * a.x + arm.sine * a.y)
-
-
-@kernel
-def _with_unbalance(view: ArmView, arm: Arm, rate: float, sliding: float) -> ArmView:
-    """The view of an arm, completed by its acceleration."""
-    away = arm.mass * sliding + arm.damping * rate
-    return replace(view, unbalance=away)
-
-
-@kernel
-def _arm_slip_rate(
-    arm: Arm,
-    sliding: float,
-    slips: tuple[Slip, ...],
-    body: BodyAcceleration,
-) -> float:
-    end = body.linear + Vec(arm.cosine * sliding, arm.sine * sliding, 0.0)
-    return maximum(tree_map(slip_rate, (slips,), (replace(body, linear=end),)))
-
-
 class Rates(NamedTuple):
     """Rate of change of the motion, and the view at the same instant."""
 
@@ -325,36 +144,9 @@ def _together(so_far: Contact, more: Contact) -> Contact:
     return tree_sum((so_far, more))
 
 
-class Plant(Protocol):
-    """A vehicle, and all that acts on it: `springback.simulation.record.Model` is one."""
-
-    @property
-    def airframe(self) -> Airframe:
-        """Constants of the vehicle."""
-
-    @property
-    def world(self) -> World:
-        """Obstacles and gravity."""
-
-    @property
-    def contact_point(self) -> Any:
-        """`Ring` or `ArmTip`."""
-
-    @property
-    def guide(self) -> Any:
-        """`Free` or `Slider`."""
-
-    @property
-    def air(self) -> Any:
-        """`Still` or `Air`."""
-
-    @property
-    def thrust(self) -> tuple[float, ...]:
-        """Thrust of each rotor, along body z at the end of its arm [N]."""
-
-    @property
-    def pushes(self) -> Any:
-        """`Pushes` of another vehicle; empty without one."""
+@kernel
+def _both_tuples(first: tuple[Vec, ...], second: tuple[Vec, ...]) -> tuple[Vec, ...]:
+    return first + second
 
 
 @kernel
@@ -386,10 +178,17 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
         engaged: 0 where contact is off.
     """
     airframe, world = plant.airframe, plant.world
-    body = body_motion(state, AHEAD * fastest_cage(airframe, state))
+    around = body_sight(world.obstacles, state, AHEAD * fastest_cage(airframe, state))
+    between = neighbour_load(airframe.neighbours, airframe.arms, state.arm_length, state.arm_rate)
+    near = (airframe, state.arm_length, around.obstacles)
+    thrust = fold(thrusts_near, plant.thrust, plant.surface_effect, near)
+    rotors = acting_rotors(
+        airframe.rotors, airframe.arms, state.arm_length, state.arm_rate, thrust,
+        plant.reaction,
+    )  # fmt: skip
+    pulls = tree_map(_both_tuples, (between.pulls, rotors.pulls), ())
+    body, obstacles = around.body, around.obstacles
     r, omega, velocity = body.r, body.omega, body.velocity
-    there = obstacles_now(world.obstacles, state.bodies)
-    obstacles = obstacles_in_body_frame(there, state.position, r)
     arms, a = tree_map_sum(
         arm_state,
         "share",
@@ -397,15 +196,16 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
             airframe.arms,
             state.arm_length,
             state.arm_rate,
-            plant.thrust,
+            rotors.thrust,
             engaged.arms,
             arm_pushes(plant.pushes, airframe.arms),
-            arm_bristles(state.bristles, airframe.arms),
+            pulls,
+            arm_memory(state.memory, airframe.arms),
         ),
-        (Surroundings(obstacles, plant.contact_point, body, released),),
+        (Surroundings(around, plant.contact_point, released),),
     )
     pushed = hull_pushes(plant.pushes, airframe.hull)
-    held = hull_bristles(state.bristles, airframe.hull)
+    held = hull_memory(state.memory, airframe.hull)
     hull = tree_map(hull_state, (airframe.hull, engaged.hull, pushed, held), (obstacles, body))
     contact = fold(_together, a.contact, field_of(hull, "contact"), ())
     bodies = bodies_rates(
@@ -414,25 +214,18 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
     )  # fmt: skip
     seen_bodies = touched_obstacles(plant.pushes, field_of(bodies, "seen"))
 
-    blown = aerodynamics(plant.air, velocity, r, a.thrust)
-    turning = omega ^ a.carried
-    inertia = airframe.inertia + arms_inertia(a.inertia)
-    inertia_rate = arms_inertia(a.half_inertia_rate + a.half_inertia_rate)
-    spin_rate = (omega ^ (inertia @ omega)) + inertia_rate @ omega
-    force = (
-        contact.force + Vec(0.0, 0.0, a.thrust) - a.taken - (omega ^ (turning + a.drift + a.drift))
+    blown = aerodynamics(plant.air, velocity, r, fold(with_lift, a.thrust, rotors.listed, ()))
+    acts = ActingLoad(
+        contact, blown.force, rotors.reaction, velocity, omega, released, rotors.listed
     )
-    moment = contact.moment + a.rotor_moment - spin_rate
-    sliding_mass = airframe.sliding * released
-    mobility = select(released > 0.0, airframe.released, airframe.locked)
-    system = System(
-        airframe.mass, sliding_mass, mobility, a.carried, inertia, force + blown.force, moment
-    )
-    solved = solve(plant.guide, system, r, world.gravity)
+    whole = assemble(airframe.arms[0], airframe, a, acts)
+    solved = solve(plant.guide, whole.system, r, world.gravity)
 
     acceleration = r @ solved.linear - Vec(0.0, 0.0, world.gravity)
-    sliding = tree_map(_arm_acceleration, (airframe.arms, arms), (solved.linear,))
-    on_arms, on_hull = one_tuple(field_of(arms, "bristles")), one_tuple(field_of(hull, "bristles"))
+    sliding = tree_map(
+        arm_acceleration, (airframe.arms, state.arm_length, arms), (solved.linear, solved.angular)
+    )
+    on_arms, on_hull = field_of(arms, "bristles"), field_of(hull, "bristles")
     state_rate = State(
         state.velocity,
         quaternion_rate(state.attitude, omega),
@@ -441,13 +234,12 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
         state.arm_rate,
         sliding,
         field_of(bodies, "state"),
-        bristle_rates(state.bristles, on_arms, on_hull),
+        memory_rates(state.memory, on_arms, on_hull, field_of(hull, "spin")),
     )
-    thrust_power = a.thrust * velocity.z + a.rotor_moment @ omega
     push = r @ contact.force
     work_rate = Work(
-        thrust_power,
-        a.arm_loss,
+        whole.thrust_power,
+        a.arm_loss + between.loss,
         a.stop_loss,
         contact.contact_loss,
         contact.friction_loss,
@@ -456,26 +248,22 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
         push,
         field_of(bodies, "work"),
     )
-    mass_centre_velocity = state.velocity + r @ ((turning + a.drift) * airframe.inverse_mass)
-    views = tree_map(
-        _with_unbalance, (field_of(arms, "seen"), airframe.arms, state.arm_rate, sliding), ()
-    )
+    mass_centre_velocity = state.velocity + r @ (whole.momentum * airframe.inverse_mass)
     grips = field_of(arms, "grip")
-    inverse = inverse_inertia(inertia)
+    inverse = inverse_inertia(whole.inertia)
     friction_rate = friction_rate_bound(
         a.grip, field_of(grips, "whole"), field_of(grips, "lean"), airframe.inverse_mass,
-        inertia, inverse,
-    )  # fmt: skip
-    stays = airframe.mass - sliding_mass.x - sliding_mass.y
-    friction_rate = fold(friction_rate_with_hull, friction_rate, hull, (stays, inverse))
-    held_parts = on_arms + on_hull
+        whole.inertia, inverse,
+    ) + maximum(field_of(grips, "any_way"))  # fmt: skip
+    friction_rate = fold(friction_rate_with_hull, friction_rate, hull, (whole.stays, inverse))
+    held_parts = one_tuple(on_arms + on_hull)
     friction_rate = fold(friction_rate_with_bristles, friction_rate, held_parts, (inverse.largest,))
     # Terms of a cage's acceleration that are quadratic in rates are neglected: they are small.
     linear = solved.linear - world.gravity * body.vertical
     moving = BodyAcceleration(linear, solved.angular, body.vertical)
-    cage_slips = tree_map(
-        _arm_slip_rate, (airframe.arms, sliding, field_of(arms, "slips")), (moving,)
-    )
+    moves = tree_map(arm_motion, (state.arm_length, state.arm_rate, sliding), ())
+    views = tree_map(completed_view, (arms, airframe.arms, moves), (moving,))
+    cage_slips = tree_map(arm_slip_rate, (airframe.arms, moves, field_of(arms, "slips")), (moving,))
     hull_slips = tree_map(hull_slip_rate, (hull,), (moving,))
     contact_rate = contact_rate_bound(
         contact.press, field_of(arms, "slide"), airframe.inverse_mass, inverse, reach(airframe)
@@ -489,7 +277,7 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
         push,
         r @ tree_sum(field_of(arms, "touched") + field_of(hull, "touched")),
         views,
-        field_of(hull, "seen"),
+        tree_map(view_with_turns, (hull,), (moving,)),
         contact.on_ground,
         limits.friction,
         limits.contact,

@@ -40,7 +40,7 @@ from springback.kernels.compiler import generic, kernel
 from springback.kernels.routines import Routine, call_routine, number_at
 from springback.kernels.trees import replace, tree_map
 from springback.kernels.vectors import Mat3, Quat, Vec, larger, norm, positive_part, quaternion_rate
-from springback.vehicle.state import ArmPose, BodyState, Sphere
+from springback.vehicle.state import ArmPose, BodyState, PartMemory, Sphere
 
 #: Flags of all contacts of a body with the world, as bits of a number.
 ALL_FLAGS = 2.0**52 - 1.0
@@ -117,7 +117,7 @@ def body_touch(body: MovingBody, pose: BodyPose, still: SolidScene, flags: float
         still: The world.
         flags: Bits of the contacts that are engaged; see `springback.contact.loads.face_contact`.
     """
-    none, r = Vec(0.0, 0.0, 0.0), pose.r
+    none, r, forgets = Vec(0.0, 0.0, 0.0), pose.r, PartMemory((), (), ())
     touch = _no_touch(1e9)
     if (body.points == 0.0) | (body.kind != FREE):
         return touch
@@ -137,11 +137,12 @@ def body_touch(body: MovingBody, pose: BodyPose, still: SolidScene, flags: float
         part = ArmPose(none, centre, velocity)
         first, second, third = contact_faces(world, Sphere(centre, radius), radius, part, 1.0)
         at = FACES * i
-        touch = _with_contact(touch, face_contact(first, _flag(flags, at), (), part, motion), at)
-        at = FACES * i + 1
-        touch = _with_contact(touch, face_contact(second, _flag(flags, at), (), part, motion), at)
-        at = FACES * i + 2
-        touch = _with_contact(touch, face_contact(third, _flag(flags, at), (), part, motion), at)
+        met = face_contact(first, _flag(flags, at), forgets, part, motion)
+        touch = _with_contact(touch, met, at)
+        met = face_contact(second, _flag(flags, at + 1), forgets, part, motion)
+        touch = _with_contact(touch, met, at + 1)
+        met = face_contact(third, _flag(flags, at + 2), forgets, part, motion)
+        touch = _with_contact(touch, met, at + 2)
     return touch
 
 

@@ -8,10 +8,17 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.dynamics.air import Still, aerodynamics
-from springback.dynamics.motion import Free, System, solve
+from springback.dynamics.air import Still
+from springback.dynamics.limbs.locked import (
+    OneBody,
+    RigidRates,
+    RigidState,
+    flight_rates,
+)
+from springback.dynamics.limbs.locked import rigid_body as rigid_body
+from springback.dynamics.motion import Free
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.trees import axpy, tree_map, tree_sum
+from springback.kernels.trees import axpy
 from springback.kernels.vectors import (
     Mat3,
     Quat,
@@ -21,114 +28,6 @@ from springback.kernels.vectors import (
     renormalise,
     rotation,
 )
-from springback.vehicle.state import (
-    Airframe,
-    Arm,
-    PlanarInverse,
-    arm_direction,
-    arms_inertia,
-    planar_product,
-)
-
-
-class OneBody(NamedTuple):
-    """A vehicle with its arms locked, and the thrust that acts on it."""
-
-    mass: float  # m [kg]
-    inverse_mass: float  # 1/m [1/kg]
-    inverse: PlanarInverse  # of the mass that resists translation
-    carried: Vec  # s = Σ m_j r_j [kg m]
-    inertia: Mat3  # J about the main body's centre of mass, body axes [kg m²]
-    thrust: float  # collective [N]
-    rotor_moment: Vec  # body axes [N m]
-
-
-class RigidState(NamedTuple):
-    """Position, attitude and velocities of one body, and the work done on it."""
-
-    position: Vec  # of the main body, world [m]
-    attitude: Quat
-    velocity: Vec  # world [m/s]
-    angular_velocity: Vec  # body [rad/s]
-    thrust_work: float  # put in by the rotors [J]
-    air_work: float  # taken by the air [J]
-
-
-class RigidRates(NamedTuple):
-    """Rate of change of a `RigidState`, and observable quantities at that instant."""
-
-    flight: RigidState
-    specific_force: Vec  # a' = Rᵀ(v̇ + g e_Z) of the main body, body [m/s²]
-    mass_centre_velocity: Vec  # world [m/s]
-
-
-class _Part(NamedTuple):
-    """Contribution of one locked arm."""
-
-    carried: Vec
-    inertia: Vec  # m_j l_j² (e_x², e_y², e_x e_y)
-    thrust: float
-    rotor_moment: Vec
-
-
-@kernel
-def _part(arm: Arm, length: float, thrust: float) -> _Part:
-    e = arm_direction(arm)
-    lever = length * e
-    carried = (arm.mass * length) * e
-    moment = thrust * Vec(lever.y, -lever.x, arm.torque_ratio)
-    return _Part(carried, planar_product(carried, lever), thrust, moment)
-
-
-@kernel
-def rigid_body(
-    airframe: Airframe, lengths: tuple[float, ...], thrust: tuple[float, ...]
-) -> OneBody:
-    """A vehicle with its arms locked at given lengths [m], under rotor thrusts [N]."""
-    a = tree_sum(tree_map(_part, (airframe.arms, lengths, thrust), ()))
-    inertia = airframe.inertia + arms_inertia(a.inertia)
-    return OneBody(
-        airframe.mass,
-        airframe.inverse_mass,
-        airframe.locked,
-        a.carried,
-        inertia,
-        a.thrust,
-        a.rotor_moment,
-    )
-
-
-@kernel
-def flight_rates(body: OneBody, guide: Any, air: Any, gravity: float, x: RigidState) -> RigidRates:
-    """Rates by eq. (1), Newton–Euler about the main body, which need not be the centre of mass.
-
-    Args:
-        body: The vehicle.
-        guide: `Free` or `Slider`.
-        air: `Still` or `Air`.
-        gravity: g along −Z [m/s²].
-        x: Present motion.
-    """
-    r, omega = rotation(x.attitude), x.angular_velocity
-    velocity = x.velocity @ r
-    blown = aerodynamics(air, velocity, r, body.thrust)
-    turning = omega ^ body.carried
-    force = Vec(0.0, 0.0, body.thrust) + blown.force - (omega ^ turning)
-    moment = body.rotor_moment - (omega ^ (body.inertia @ omega))
-    still = Vec(0.0, 0.0, 0.0)
-    system = System(body.mass, still, body.inverse, body.carried, body.inertia, force, moment)
-    solved = solve(guide, system, r, gravity)
-    acceleration = r @ solved.linear - Vec(0.0, 0.0, gravity)
-    power = body.thrust * velocity.z + body.rotor_moment @ omega
-    rate = RigidState(
-        x.velocity,
-        quaternion_rate(x.attitude, omega),
-        acceleration,
-        solved.angular,
-        power,
-        blown.loss,
-    )
-    return RigidRates(rate, solved.linear, x.velocity + r @ (turning * body.inverse_mass))
 
 
 class RigidStep(NamedTuple):
@@ -140,7 +39,7 @@ class RigidStep(NamedTuple):
 
 @generic
 def rigid_step(
-    guide: Any, air: Any, body: OneBody, gravity: float, x: RigidState, h: float
+    guide: Any, air: Any, body: Any, gravity: float, x: RigidState, h: float
 ) -> RigidStep:
     """One classical Runge–Kutta step.
 
@@ -157,7 +56,7 @@ def rigid_step(
 
 @kernel
 def runge_kutta_step(
-    guide: Any, air: Any, body: OneBody, gravity: float, x: RigidState, h: float
+    guide: Any, air: Any, body: Any, gravity: float, x: RigidState, h: float
 ) -> RigidStep:
     """One step of all integrated quantities under any load; arguments as for `rigid_step`."""
     return driven_step(guide, air, (body, body, body), gravity, x, h)
@@ -167,7 +66,7 @@ def runge_kutta_step(
 def driven_step(
     guide: Any,
     air: Any,
-    bodies: tuple[OneBody, OneBody, OneBody],
+    bodies: tuple[Any, Any, Any],
     gravity: float,
     x: RigidState,
     h: float,
@@ -190,14 +89,14 @@ def driven_step(
 @rigid_step.register(Free)
 @kernel
 def _flown_freely(
-    guide: Free, air: Any, body: OneBody, gravity: float, x: RigidState, h: float
+    guide: Free, air: Any, body: Any, gravity: float, x: RigidState, h: float
 ) -> RigidStep:
     return free_step(air, guide, body, gravity, x, h)
 
 
 @generic
 def free_step(
-    air: Any, guide: Free, body: OneBody, gravity: float, x: RigidState, h: float
+    air: Any, guide: Free, body: Any, gravity: float, x: RigidState, h: float
 ) -> RigidStep:
     """Step as by `rigid_step`, for a vehicle without constraint."""
     return runge_kutta_step(guide, air, body, gravity, x, h)
@@ -243,7 +142,23 @@ def _stage(by: _Driven, x: _Turning, velocity: Vec) -> _Stage:
 @free_step.register(Still)
 @kernel
 def _freely_in_still_air(
-    air: Still, guide: Free, body: OneBody, gravity: float, x: RigidState, h: float
+    air: Still, guide: Free, body: Any, gravity: float, x: RigidState, h: float
+) -> RigidStep:
+    return still_step(body, guide, air, gravity, x, h)
+
+
+@generic
+def still_step(
+    body: Any, guide: Free, air: Still, gravity: float, x: RigidState, h: float
+) -> RigidStep:
+    """Step as by `rigid_step`, without constraint and in still air."""
+    return runge_kutta_step(guide, air, body, gravity, x, h)
+
+
+@still_step.register(OneBody)
+@kernel
+def _about_mass_centre(
+    body: OneBody, guide: Free, air: Still, gravity: float, x: RigidState, h: float
 ) -> RigidStep:
     """The same step about the centre of mass, where rotation and translation decouple.
 

@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
+from springback.contact.obstacles import World
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.vectors import Mat3, Vec, solve_symmetric
-from springback.vehicle.state import PlanarInverse
+from springback.kernels.vectors import (
+    Mat3,
+    Vec,
+    inverse_symmetric,
+    solve_symmetric,
+    symmetric_part,
+    transpose,
+)
+from springback.vehicle.state import Airframe, PlanarInverse
 
 
 class Free(NamedTuple):
@@ -47,14 +55,26 @@ def times(n: PlanarInverse, b: Vec) -> Vec:
 
 
 @generic
-def solve(guide: Any, system: System, r: Mat3, gravity: float) -> Accelerations:
+def solve(guide: Any, system: Any, r: Mat3, gravity: float) -> Accelerations:
     """Accelerations of the main body under a constraint."""
     raise TypeError(f"{type(guide).__name__} is not a guide")
 
 
 @solve.register(Free)
 @kernel
-def _solve_free(guide: Free, system: System, r: Mat3, gravity: float) -> Accelerations:
+def _solve_free(guide: Free, system: Any, r: Mat3, gravity: float) -> Accelerations:
+    return solve_freely(system)
+
+
+@generic
+def solve_freely(system: Any) -> Accelerations:
+    """Solution of the six equations without constraint."""
+    raise TypeError(f"{type(system).__name__} is no system of equations")
+
+
+@solve_freely.register(System)
+@kernel
+def _solve_in_plane(system: System) -> Accelerations:
     """Eliminate the translation, a' = M⁻¹(b − α × s); then solve (J − Ĉᵀ M⁻¹ Ĉ) α, 3 x 3."""
     n, s = system.inverse, system.carried
     alone = times(n, system.force)
@@ -67,17 +87,101 @@ def _solve_free(guide: Free, system: System, r: Mat3, gravity: float) -> Acceler
     return Accelerations(alone - times(n, alpha ^ s), alpha)
 
 
-@solve.register(Slider)
+@generic
+def resisting(system: Any, u: Vec) -> Vec:
+    """Product M u with the mass that resists translation."""
+    raise TypeError(f"{type(system).__name__} is no system of equations")
+
+
+@resisting.register(System)
 @kernel
-def _solve_slider(guide: Slider, system: System, r: Mat3, gravity: float) -> Accelerations:
-    """Solve along the slider, the only free direction: uᵀ M u ẍ = uᵀ(b − M Rᵀ g e_Z)."""
-    u = guide.axis @ r
-    weight = Vec(0.0, 0.0, gravity) @ r
+def _in_plane(system: System, u: Vec) -> Vec:
     m, slide = system.mass, system.sliding
-    mu = Vec(
+    return Vec(
         (m - slide.x) * u.x - slide.z * u.y,
         (m - slide.y) * u.y - slide.z * u.x,
         m * u.z,
     )
+
+
+class SpatialSystem(NamedTuple):
+    """The six equations of a vehicle whose arms are on joints: three blocks, in body axes."""
+
+    linear: Mat3  # of a' in the equations of force [kg]
+    mixed: Mat3  # of α in the equations of force; transposed, of a' in those of moment [kg m]
+    angular: Mat3  # of α in the equations of moment [kg m²]
+    force: Vec  # right-hand side of a'
+    moment: Vec  # right-hand side of α
+
+
+@solve_freely.register(SpatialSystem)
+@kernel
+def _solve_in_space(system: SpatialSystem) -> Accelerations:
+    """Eliminate the translation, then solve for α, as in the plane."""
+    n, c = inverse_symmetric(system.linear), system.mixed
+    nc = n @ c
+    reduced = symmetric_part(system.angular - transpose(c) @ nc)
+    alone = n @ system.force
+    alpha = solve_symmetric(reduced, system.moment - alone @ c)
+    return Accelerations(alone - nc @ alpha, alpha)
+
+
+@resisting.register(SpatialSystem)
+@kernel
+def _in_space(system: SpatialSystem, u: Vec) -> Vec:
+    return system.linear @ u
+
+
+@solve.register(Slider)
+@kernel
+def _solve_slider(guide: Slider, system: Any, r: Mat3, gravity: float) -> Accelerations:
+    """Solve along the slider, the only free direction: uᵀ M u ẍ = uᵀ(b − M Rᵀ g e_Z)."""
+    u = guide.axis @ r
+    weight = Vec(0.0, 0.0, gravity) @ r
+    mu = resisting(system, u)
     along_axis = (u @ system.force - mu @ weight) / (mu @ u)
     return Accelerations(weight + along_axis * u, Vec(0.0, 0.0, 0.0))
+
+
+class Plant(Protocol):
+    """A vehicle, and all that acts on it: `springback.simulation.measuring.record.Model` is one."""
+
+    @property
+    def airframe(self) -> Airframe:
+        """Constants of the vehicle."""
+
+    @property
+    def world(self) -> World:
+        """Obstacles and gravity."""
+
+    @property
+    def contact_point(self) -> Any:
+        """`Ring` or `ArmTip`."""
+
+    @property
+    def guide(self) -> Any:
+        """`Free` or `Slider`."""
+
+    @property
+    def air(self) -> Any:
+        """`Still` or `Air`."""
+
+    @property
+    def thrust(self) -> tuple[float, ...]:
+        """Thrust of each rotor [N]."""
+
+    @property
+    def surface_effect(self) -> tuple[Any, ...]:
+        """`springback.vehicle.propulsion.SurfaceEffect`, if surfaces change the thrust."""
+
+    @property
+    def pushes(self) -> Any:
+        """`Pushes` of another vehicle; empty without one."""
+
+    @property
+    def reaction(self) -> tuple[Any, ...]:
+        """Moments of rotors that change speed [N m]; empty where none is known.
+
+        One number, the sum about body z; or, of rotors that the vehicle lists, a tuple with that
+        of each about its own axis.
+        """

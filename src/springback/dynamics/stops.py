@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from springback.contact.cage import LANDED
 from springback.dynamics.crossing import Crossing, crossing
 from springback.kernels.compiler import kernel
 from springback.kernels.vectors import larger, positive_part, smaller
-from springback.vehicle.state import Arm
+from springback.vehicle.state import upper_stop
 
 #: Steps look ahead by this time, in which contacts stiffen and stops are reached [s].
 AHEAD = 1e-4
@@ -26,28 +26,30 @@ class Stop(NamedTuple):
 
 
 @kernel
-def end_stop(arm: Arm, length: float, rate: float) -> Stop:
+def end_stop(arm: Any, length: float, rate: float) -> Stop:
     """Force of the end stops, k δ (1 + d δ̇), never adhesive, and its heat.
 
-    One acts on an arm that has bottomed out, the other on an arm beyond its free length.
+    One acts on an arm that has bottomed out, the other beyond its free length, or the other end of
+    the travel of a joint.
     """
-    within = larger(arm.shortest, smaller(length, arm.length))
+    longest = upper_stop(arm)
+    within = larger(arm.shortest, smaller(length, longest))
     shift = within - length  # positive beyond the lower stop, negative beyond the upper one
     pressing = -rate if shift > 0.0 else rate
     elastic = arm.stop_stiffness * shift
     force = elastic * positive_part(1.0 + arm.stop_dissipation * pressing)
     # A step that ends at a stop ends slightly before it: the next one acts on it.
     ahead = AHEAD * rate
-    soon = (length - arm.length + ahead > GRAZED) | (arm.shortest - length - ahead > GRAZED)
+    soon = (length - longest + ahead > GRAZED) | (arm.shortest - length - ahead > GRAZED)
     stiffness = arm.stop_stiffness if (shift != 0.0) | soon else 0.0
     damper = arm.stop_dissipation * abs(elastic)
     return Stop(force, (elastic - force) * rate, stiffness, damper)
 
 
 @kernel
-def next_stop(arm: Arm, length: float, rate: float) -> Crossing:
+def next_stop(arm: Any, length: float, rate: float) -> Crossing:
     """Crossing at which the arm reaches the next of its two stops, or leaves it."""
-    low, high = length - arm.shortest, length - arm.length
+    low, high = length - arm.shortest, length - upper_stop(arm)
     growing = low if low < -LANDED else high
     shrinking = high if high > LANDED else low
     return crossing(growing if rate > 0.0 else shrinking, rate)

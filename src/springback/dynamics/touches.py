@@ -8,28 +8,21 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.contact.cage import LANDED, FaceMotion
-from springback.contact.laws.bristles import BristleRate
 from springback.contact.laws.step_bounds import ContactStiffness
 from springback.contact.loads import CageContact, ContactLoad
 from springback.contact.surfaces import Surface, slip_velocity
-from springback.dynamics.crossing import Crossing, crossing
+from springback.dynamics.crossing import NO_CROSSING, Crossing, crossing, sooner
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.trees import (
-    field_of,
-    fold,
-    maximum,
-    minimum,
-    one_tuple,
-    replace,
-    tree_map,
-    tree_sum,
-)
+from springback.kernels.trees import field_of, fold, maximum, minimum, replace, tree_map, tree_sum
 from springback.kernels.vectors import Mat3, Vec, larger, positive_part, smaller
-from springback.vehicle.state import Bristles, VehicleBristles
+from springback.vehicle.state import PressedPoint
 
 #: A cage at a surface of the impulse law rests there while it is slower than this along the normal
 #: [m/s]: it then touches without rebound (chosen: a rebound at this speed is 5 µm high).
 RESTING = 1e-2
+#: Rate of depth below which a contact with a memory has turned [m/s] (chosen: what is left of the
+#: way is less than 1e-12 m).
+TURNED = 1e-6
 
 
 class Reaction(NamedTuple):
@@ -151,9 +144,15 @@ def contact_of(
 
 
 @kernel
+def _or_deepest(so_far: Crossing, point: PressedPoint, met: CageContact) -> Crossing:
+    deeper = crossing(point.depth + met.gap, met.rate)
+    return sooner(so_far, deeper) if point.depth > 0.0 else so_far
+
+
+@kernel
 def crossing_of(met: CageContact) -> Crossing:
-    """Crossing at which a gap closes or opens."""
-    return crossing(met.gap, met.rate)
+    """Crossing at which a gap closes or opens, or is as deep as it was before."""
+    return fold(_or_deepest, crossing(met.gap, met.rate), met.pressed, (met,))
 
 
 @kernel
@@ -281,6 +280,14 @@ def _also_pushed(touch: PartTouch, push: PartPush, r: Mat3) -> PartTouch:
     )
 
 
+class TurningPoint(NamedTuple):
+    """A contact with a memory that is going in: it turns where its rate of depth is zero."""
+
+    inward: Vec  # unit normal into the obstacle, body; zero without contact
+    point: Vec  # from the main body, body [m]
+    rate: float  # δ̇ [m/s]
+
+
 class BodyAcceleration(NamedTuple):
     """Acceleration of the main body in its own axes."""
 
@@ -297,159 +304,26 @@ def slip_rate(slip: Slip, body: BodyAcceleration) -> float:
     return (along @ along) * (slip.per_speed * slip.per_speed)
 
 
-# -- bristles --------------------------------------------------------------------------------------
-
-
-class PartBristles(NamedTuple):
-    """Bristles of one part of the vehicle: their rate, and their limits on steps."""
-
-    rate: Bristles
-    turning: float  # rolling resistance as a damper [N m s]
-    recovery: float  # rate at which they come to rest [1/s]; 0 without contact
+@kernel
+def turning_point_of(point: PressedPoint, met: CageContact) -> TurningPoint:
+    """TurningPoint of a contact, by what it will remember."""
+    rate = -met.rate
+    going_in = (point.depth > 0.0) & (rate > TURNED)
+    return TurningPoint(met.inward * (1.0 if going_in else 0.0), met.pressing_at, rate)
 
 
 @kernel
-def _with_contact(total: BristleRate, more: BristleRate) -> BristleRate:
-    return tree_sum((total, more))
+def turning_points_of(met: CageContact) -> tuple[TurningPoint, ...]:
+    """Turns of a contact: one, if a surface has a memory."""
+    return tree_map(turning_point_of, (met.pressed,), (met,))
 
 
 @kernel
-def _of_part(bristles: Bristles, contacts: tuple[BristleRate, ...], r: Mat3) -> PartBristles:
-    none = Vec(0.0, 0.0, 0.0)
-    all_ = fold(_with_contact, BristleRate(none, none, 0.0, 0.0, 0.0), contacts, ())
-    share = 1.0 / all_.weight if all_.weight > 0.0 else 0.0
-    rate = Bristles(r @ (all_.slip * share), r @ (all_.roll * share))
-    return PartBristles(rate, all_.turning, all_.recovery)
+def or_turn(so_far: Crossing, turn: TurningPoint, body: BodyAcceleration) -> Crossing:
+    """The earlier of a crossing and of the turn of a contact, of main body and part; for `fold`.
 
-
-@kernel
-def bristles_of(
-    bristles: tuple[Bristles, ...], met: tuple[CageContact, ...], r: Mat3
-) -> tuple[PartBristles, ...]:
-    """Rate of the bristles of a part: the mean over its contacts, weighted by normal forces.
-
-    Args:
-        bristles: Of the part, if a surface has any.
-        met: The faces that it meets.
-        r: Body axes to world axes.
+    Where a contact begins to come out its force has a kink: a step ends there.
     """
-    return tree_map(_of_part, (bristles,), (one_tuple(field_of(met, "bristles")), r))
-
-
-@generic
-def arm_bristles(bristles: Any, arms: tuple[Any, ...]) -> tuple[tuple[Bristles, ...], ...]:
-    """For each arm its bristles; mostly there are none."""
-    return tree_map(_no_bristles, (arms,), ())
-
-
-@generic
-def hull_bristles(bristles: Any, hull: tuple[Any, ...]) -> tuple[tuple[Bristles, ...], ...]:
-    """As `arm_bristles`, for the hull of the main body."""
-    return tree_map(_no_bristles, (hull,), ())
-
-
-@kernel
-def _no_bristles(part: Any) -> tuple[()]:
-    return ()
-
-
-@kernel
-def _alone(bristles: Bristles) -> tuple[Bristles]:
-    return (bristles,)
-
-
-@arm_bristles.register(VehicleBristles)
-@kernel
-def _given_arm_bristles(
-    bristles: VehicleBristles, arms: tuple[Any, ...]
-) -> tuple[tuple[Bristles, ...], ...]:
-    return tree_map(_alone, (bristles.arms,), ())
-
-
-@kernel
-def _of_hull(
-    none: tuple[()], hull: Any, bristles: tuple[Bristles, ...]
-) -> tuple[tuple[Bristles, ...], ...]:
-    return tree_map(_alone, (bristles,), ())
-
-
-@hull_bristles.register(VehicleBristles)
-@kernel
-def _given_hull_bristles(
-    bristles: VehicleBristles, hull: tuple[Any, ...]
-) -> tuple[tuple[Bristles, ...], ...]:
-    return fold(_of_hull, (), hull, (bristles.hull,))  # without a hull, where that touches nothing
-
-
-@generic
-def bristle_rates(
-    bristles: Any, arms: tuple[PartBristles, ...], hull: tuple[PartBristles, ...]
-) -> Any:
-    """Rate of the bristles of a vehicle, as its state has them.
-
-    Args:
-        bristles: Of the state.
-        arms: Of each arm.
-        hull: Of the hull, if it takes part.
-    """
-    return ()
-
-
-@kernel
-def _no_rate(bristles: Bristles) -> Bristles:
-    none = Vec(0.0, 0.0, 0.0)
-    return Bristles(none, none)
-
-
-@kernel
-def _hull_rate(so_far: tuple[Bristles, ...], part: PartBristles) -> tuple[Bristles, ...]:
-    return (part.rate,)
-
-
-@bristle_rates.register(VehicleBristles)
-@kernel
-def _vehicle_rates(
-    bristles: VehicleBristles, arms: tuple[PartBristles, ...], hull: tuple[PartBristles, ...]
-) -> VehicleBristles:
-    of_hull = fold(_hull_rate, tree_map(_no_rate, (bristles.hull,), ()), hull, ())
-    return VehicleBristles(field_of(arms, "rate"), of_hull)
-
-
-@kernel
-def friction_rate_with_bristles(rate: float, part: PartBristles, largest: float) -> float:
-    """Upper bound on the rate at which friction stops a part, with its bristles [1/s].
-
-    Args:
-        rate: Bound without them [1/s].
-        part: Its bristles.
-        largest: Largest reciprocal of the inertia about the main body [1/(kg m²)].
-    """
-    return rate + 1.5 * part.turning * largest + 2.0 * part.recovery
-
-
-@generic
-def let_go(bristles: Any, arms: tuple[Any, ...], hull: tuple[Any, ...]) -> Any:
-    """Bristles after an instant: those of parts that touch nothing have sprung back.
-
-    Args:
-        bristles: Of the state.
-        arms: Views of the arms.
-        hull: View of the hull, if there is one.
-    """
-    return ()
-
-
-@kernel
-def _held(bristles: Bristles, view: Any) -> Bristles:
-    touches = maximum(view.engaged)
-    return Bristles(bristles.slip * touches, bristles.roll * touches)
-
-
-@let_go.register(VehicleBristles)
-@kernel
-def _let_go(
-    bristles: VehicleBristles, arms: tuple[Any, ...], hull: tuple[Any, ...]
-) -> VehicleBristles:
-    return VehicleBristles(
-        tree_map(_held, (bristles.arms, arms), ()), tree_map(_held, (bristles.hull, hull), ())
-    )
+    slows = -((body.linear + (body.angular ^ turn.point)) @ turn.inward)
+    ends = Crossing(turn.rate if slows > 0.0 else NO_CROSSING, slows if slows > 0.0 else 1.0)
+    return sooner(so_far, ends)

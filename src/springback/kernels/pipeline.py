@@ -1,18 +1,34 @@
 """The compiler's passes for kernels: what only ever is inlined needs less than what is called.
 
-A kernel is inlined wherever it is used, so it needs no machine code of its own; and it holds
-neither array expressions nor, mostly, closures, so it needs no passes over them.  The code of an
-entry point, and each of its bits, is the same without.
+A kernel is inlined wherever it is used, so it needs no machine code of its own, and no calling
+convention that others know: trees pass from kernel to kernel in one piece, and no status with them
+unless there is an error to report.  It holds neither array expressions nor, mostly, closures, so it
+needs no passes over them.  The results of an entry point are, bit by bit, the same without.
 """
 
 from __future__ import annotations
 
+import copy
 import importlib
-import types
+from types import CodeType
 from typing import Any
 
-from llvmlite.binding import Linkage
-from numba.core import codegen, compiler, compiler_machinery, lowering, typed_passes, untyped_passes
+from llvmlite import ir as llvm
+from llvmlite.binding import Linkage, create_new_module_pass_manager
+from numba.core import (
+    callconv,
+    cgutils,
+    codegen,
+    compiler,
+    compiler_machinery,
+    cpu,
+    ir,
+    lowering,
+    typed_passes,
+    types,
+    untyped_passes,
+)
+from numba.core.imputils import user_function
 
 #: Parts of numba with incomplete type stubs, or none.
 _register_pass: Any = compiler_machinery.register_pass
@@ -21,6 +37,10 @@ _LowerResult: Any = compiler._LowerResult
 _Compiler: Any = compiler.Compiler
 _Library: Any = codegen.JITCodeLibrary
 _Lower: Any = lowering.Lower
+_get_or_insert: Any = cgutils.get_or_insert_function
+_alloca_once: Any = cgutils.alloca_once
+_Convention: Any = callconv.CPUCallConv
+_Context: Any = cpu.CPUContext
 _NativeLowering: Any = typed_passes.NativeLowering
 
 #: Attributes of every function, as LLVM writes them.  By default LLVM uses only half of a 512-bit
@@ -32,21 +52,143 @@ _FOR_LANES = ('"prefer-vector-width"="512"', '"stackrealign"')
 _IDLE = {typed_passes.NopythonRewrites, untyped_passes.WithLifting}
 
 
+#: In which process a type's hash was computed: one that is read from a file has another's.
+_HERE = object()
+
+
+def _hash_once(kind: Any) -> int:
+    """Hash of a type of tuples, which numba computes again, branch by branch, at every look-up."""
+    known: tuple[object, int] | None = kind.__dict__.get("_hashed")
+    if known is None or known[0] is not _HERE:
+        known = kind._hashed = (_HERE, hash(kind.key))
+    return known[1]
+
+
+def _is_same(kind: Any, other: Any) -> bool:
+    """Equality of types of tuples, of which there mostly is one object each."""
+    return kind is other or (kind.__class__ is other.__class__ and kind.key == other.key)
+
+
+_TUPLES: Any = (types.Tuple, types.UniTuple, types.NamedTuple, types.NamedUniTuple)
+for _kind in _TUPLES:
+    _kind.__hash__, _kind.__eq__ = _hash_once, _is_same  # a tenth of the time to compile
+
+
+class _MayRaise(BaseException):
+    """Raised as a kernel is lowered that can raise; the compiler would wrap an `Exception`."""
+
+
+class _WithoutErrors(_Convention):  # type: ignore[misc]
+    """The compiler's own convention in code that cannot pass an error on."""
+
+    def _give_up(self, *arguments: Any, **named: Any) -> None:
+        raise _MayRaise
+
+    return_status_propagate = return_native_none = return_optional_value = _give_up
+    return_user_exc = set_static_user_exc = return_dynamic_user_exc = return_exc = _give_up
+    return_stop_iteration = _give_up
+
+
+class _KernelContext(_Context):  # type: ignore[misc]
+    """The target as seen from within an inlined kernel."""
+
+    @property
+    def call_conv(self) -> Any:
+        return _WithoutErrors(self)
+
+
+def _declared(context: Any, module: Any, described: Any) -> Any:
+    """An inlined kernel in a module that defines or calls it: a place for the result, and values.
+
+    The compiler's own convention takes trees apart at every call, leaf by leaf, puts them together
+    at every return and looks at a status: seven in ten of all instructions that it made of kernels.
+    A result is not returned as a value: one of two trees would be chosen whole, and lanes not
+    vectorised.
+    """
+    kinds = [context.get_value_type(kind) for kind in _passed(described, described.argtypes)]
+    result = context.get_value_type(described.restype)
+    whole = llvm.FunctionType(llvm.VoidType(), [result.as_pointer(), *kinds])
+    function = _get_or_insert(module, whole, described.mangled_name)
+    function.attributes.add("alwaysinline")
+    set.update(function.attributes, _FOR_LANES)  # llvmlite's own `add` refuses these
+    return function
+
+
+def _passed(described: Any, given: Any) -> list[Any]:
+    """Those of a kernel's arguments that are not left out, or what belongs to them."""
+    pairs = zip(described.argtypes, given, strict=True)
+    return [value for kind, value in pairs if not isinstance(kind, types.Omitted)]
+
+
+def _caller(described: Any, libraries: Any) -> Any:
+    """Rule by which calls of an inlined kernel are compiled."""
+
+    def call(context: Any, builder: Any, signature: Any, given: Any) -> Any:
+        function = _declared(context, builder.module, described)
+        place = _alloca_once(builder, context.get_value_type(described.restype))
+        builder.call(function, [place, *_passed(described, given)])
+        return builder.load(place)
+
+    rule: Any = call
+    rule.signature, rule.libs = described.argtypes, libraries
+    return rule
+
+
 class _LowerForLanes(_Lower):  # type: ignore[misc]
     def setup_function(self, fndesc: Any) -> None:
         super().setup_function(fndesc)
-        set.update(self.function.attributes, _FOR_LANES)  # llvmlite's own `add` refuses these
+        set.update(self.function.attributes, _FOR_LANES)
+
+
+class _LowerInlined(_LowerForLanes):
+    """Lowering of kernels that are inlined and raise no error."""
+
+    def setup_function(self, fndesc: Any) -> None:
+        self.function = _declared(self.context, self.module, fndesc)
+        self.entry_block = self.function.append_basic_block("entry")
+        self.builder = llvm.IRBuilder(self.entry_block)
+        self.call_helper = None
+        self.function.args[0].add_attribute("noalias")
+
+    def extract_function_arguments(self) -> Any:
+        passed = iter(self.function.args[1:])
+        self.fnargs = [
+            None if isinstance(kind, types.Omitted) else next(passed)
+            for kind in self.fndesc.argtypes
+        ]
+        return self.fnargs
+
+    def lower_inst(self, inst: Any) -> None:
+        if not isinstance(inst, ir.Return):
+            super().lower_inst(inst)
+            return
+        self.builder.store(self.loadvar(inst.value.name), self.function.args[0])
+        self.builder.ret_void()
 
 
 class _InlinedLibrary(_Library):  # type: ignore[misc]
     """Optimised code of a kernel, to link into its callers; no machine code is made of it."""
 
+    def add_llvm_module(self, ll_module: Any) -> None:
+        """Take the kernel's own code, which `finalize` simplifies."""
+        ll_module.data_layout = self._codegen._data_layout
+        self._final_module.link_in(ll_module)
+
     def finalize(self) -> None:
-        """Link what the kernel calls, optimise it, and let any number of callers link it."""
+        """Inline what the kernel calls, simplify it, and let any number of callers link it.
+
+        Entry points are optimised as a whole: of a kernel, only what its callers would repeat.
+        """
         for library in dict.fromkeys(self._linking_libraries):
             self._reload_init.update(library._reload_init)
             self._final_module.link_in(library._get_module_for_linking(), preserve=True)
-        self._optimize_final_module()
+        passes = create_new_module_pass_manager()
+        passes.add_always_inliner_pass()
+        passes.add_sroa_pass()
+        passes.add_instruction_combine_pass()
+        passes.add_simplify_cfg_pass()
+        passes.add_global_dead_code_eliminate_pass()
+        passes.run(self._final_module, self._codegen._pass_builder())
         self._finalize_dynamic_globals()
         for function in self._final_module.functions:
             if not function.is_declaration and function.linkage == Linkage.external:
@@ -57,31 +199,57 @@ class _InlinedLibrary(_Library):  # type: ignore[misc]
 @_register_pass(mutates_CFG=True, analysis_only=False)
 class _LoweringForLanes(_NativeLowering):  # type: ignore[misc]
     _name = "lowering_for_lanes"
+    _lowering: type[_LowerForLanes] = _LowerForLanes
 
     @property
     def lowering_class(self) -> Any:
-        return _LowerForLanes
+        return self._lowering
 
     def run_pass(self, state: Any) -> bool:
+        self._lowering = _LowerForLanes  # one instance serves all compilations
         if not state.flags.forceinline:
             return bool(super().run_pass(state))
-        library = _InlinedLibrary(state.targetctx.codegen(), state.func_id.func_qualname)
-        state.library, state.flags.no_compile = library, True
-        super().run_pass(state)
+        context, state.flags.no_compile = state.targetctx, True
+        try:
+            if isinstance(state.return_type, types.Optional):
+                raise _MayRaise  # its status tells a value from none
+            library = self._lower(state, _LowerInlined)
+            calls = _caller
+        except _MayRaise:
+            library = self._lower(state, _LowerForLanes)
+            calls = user_function
         made = state["cr"]
-        described, context = made.fndesc, state.targetctx
+        described = made.fndesc
         name, module = described.qualname.split(".")[-1], described.lookup_module()
         entry = _make_function(module, name, "", 0, made.env, (library,))  # without an address
-        context.insert_user_function(entry, described, [library])
+        context._defns[entry].append(calls(described, (library,)), described.argtypes)
         state["cr"] = _LowerResult(described, made.call_helper, cfunc=entry, env=made.env)
         return True
+
+    def _lower(self, state: Any, lowering: Any) -> Any:
+        """Lower a kernel by a class; returns its library.
+
+        Raises:
+            _MayRaise: If that class cannot: the kernel can raise an error.
+        """
+        context = state.targetctx
+        self._lowering = lowering
+        state.library = _InlinedLibrary(context.codegen(), state.func_id.func_qualname)
+        if lowering is _LowerInlined:
+            state.targetctx = copy.copy(context)
+            state.targetctx.__class__ = _KernelContext
+        try:
+            super().run_pass(state)
+        finally:
+            state.targetctx = context
+        return state.library
 
 
 def _is_idle(step: Any, state: Any) -> bool:
     """True if a pass leaves a kernel unchanged."""
     if step is untyped_passes.InlineClosureLikes:
         constants = state.func_id.func.__code__.co_consts
-        return not any(isinstance(constant, types.CodeType) for constant in constants)
+        return not any(isinstance(constant, CodeType) for constant in constants)
     return step in _IDLE
 
 

@@ -324,6 +324,12 @@ def isotropic(s: float) -> Mat3:
 
 
 @kernel
+def outer(a: Vec, b: Vec) -> Mat3:
+    """Matrix a bᵀ."""
+    return Mat3(a.x * b, a.y * b, a.z * b)
+
+
+@kernel
 def skew(a: Vec) -> Mat3:
     """Matrix [a]× with [a]× b = a × b."""
     return Mat3(Vec(0.0, -a.z, a.y), Vec(a.z, 0.0, -a.x), Vec(-a.y, a.x, 0.0))

@@ -31,7 +31,7 @@ from springback.paper.printed import (
 from springback.progress import Progress, silent, stage
 from springback.recovery.state_machine import CRUISE, HOVER, LOOK, RECOVER
 from springback.results.flight import Flight, fly
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 from springback.studies.comparison import Mark, Row, predicted_or_contradicted
 from springback.studies.run_ups import CONDITIONS
 from springback.studies.trials import (

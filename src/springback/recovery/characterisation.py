@@ -13,7 +13,7 @@ the direction in which there is free space: `fused` finds which cage that line p
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import maximum, select, tree_map, tree_sum
@@ -31,7 +31,7 @@ from springback.recovery.line_of_action import (
     tangent_normal,
 )
 from springback.recovery.wrench import ExternalWrench
-from springback.vehicle.state import Airframe, Arm, arm_direction
+from springback.vehicle.state import Airframe, end_place
 
 #: Sine of the angle between contact force and normal beyond which more than one arm was hit.
 #: Chosen: in flights against the paper's wall it is at most 0.4 for one arm, because cages stick
@@ -99,7 +99,7 @@ def no_observation(airframe: Airframe) -> CollisionObservation:
 
 
 @kernel
-def _nothing(arm: Arm) -> float:
+def _nothing(arm: Any) -> float:
     return 0.0
 
 
@@ -171,8 +171,8 @@ def window_is_over(
 
 
 @kernel
-def _compression_vector(arm: Arm, compression: float) -> Vec:
-    return arm_direction(arm) * compression
+def _compression_vector(arm: Any, compression: float) -> Vec:
+    return end_place(arm, arm.length).direction * compression
 
 
 @kernel
@@ -202,8 +202,9 @@ def pressed_arms(
 
 
 @kernel
-def _tip(arm: Arm, length: float, hit: float) -> Vec:
-    return arm_direction(arm) * (length * hit)
+def _tip(arm: Any, length: float, hit: float) -> Vec:
+    at = end_place(arm, length)
+    return at.direction * (at.distance * hit)
 
 
 @kernel
@@ -250,7 +251,8 @@ def contact_point(
     tips = tree_sum(tree_map(_tip, (airframe.arms, lengths, arms), ())) * share
     up = Vec(r.x.z, r.y.z, r.z.z)
     rim = direction_of(direction - up * (direction @ up), 0.0) * airframe.arms[0].cage_radius
-    return position + r @ tips + rim * select(count > 0.5, 1.0, 0.0)
+    point: Vec = position + r @ tips + rim * select(count > 0.5, 1.0, 0.0)
+    return point
 
 
 class Bearing(NamedTuple):

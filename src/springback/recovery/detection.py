@@ -13,7 +13,7 @@ from springback.kernels.trees import maximum, select, tree_map
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.recovery.wrench import ExternalWrench
 from springback.sensing.measurement import Estimate, Measurement
-from springback.vehicle.state import Airframe, Arm
+from springback.vehicle.state import Airframe, Arm, compression_of
 
 #: Time of an event that has not happened yet.
 NOT_YET = -1.0
@@ -111,14 +111,9 @@ def trigger_step(
 
 
 @kernel
-def _compression(arm: Arm, length: float) -> float:
-    return arm.length - length
-
-
-@kernel
 def compressions(arms: tuple[Arm, ...], lengths: tuple[float, ...]) -> tuple[float, ...]:
     """L − l of each arm [m]."""
-    return tree_map(_compression, (arms, lengths), ())
+    return tree_map(compression_of, (arms, lengths), ())
 
 
 @kernel

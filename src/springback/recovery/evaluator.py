@@ -20,8 +20,8 @@ from springback.kernels.trees import replace, select
 from springback.kernels.vectors import Vec, norm, rotation
 from springback.recovery.pilot import RecoveryPilotMemory
 from springback.recovery.state_machine import HOVER, LOOK, RECOVER, RecoveryState
+from springback.simulation.measuring.record import Contacts
 from springback.simulation.onboard import UserPilotMemory, evaluator_step
-from springback.simulation.record import Contacts
 from springback.simulation.ticks import Group, contacts_of, evaluate, evaluate_lanes
 from springback.vehicle.state import State
 

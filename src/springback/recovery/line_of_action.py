@@ -8,13 +8,13 @@ and an arm's cage is a circle: a face touches it at one point only, where it is 
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import maximum, minimum, select, tree_map, tree_sum
 from springback.kernels.vectors import Mat3, Vec
 from springback.recovery.wrench import RecentImpulse
-from springback.vehicle.state import Airframe, Arm, arm_direction
+from springback.vehicle.state import Airframe, end_place
 
 #: Squared length below which a vector has no direction (chosen: far below any measurement).
 NO_DIRECTION = 1e-12
@@ -57,11 +57,11 @@ def lever_of(recent: RecentImpulse) -> float:
 
 
 @kernel
-def _sine(arm: Arm, length: float, ahead: Vec, lever: float) -> float:
+def _sine(arm: Any, length: float, ahead: Vec, lever: float) -> float:
     """Sine of the angle φ from a cage's normal n to f: (l e × f)_z + r_0 sin φ = lever."""
-    e = arm_direction(arm)
+    e, away = end_place(arm, length)
     across = e.x * ahead.y - e.y * ahead.x
-    sine = (lever - length * across) / arm.cage_radius
+    sine: float = (lever - away * across) / arm.cage_radius
     return select(e @ ahead > IN_FRONT, sine, MISSED)
 
 
@@ -81,11 +81,11 @@ def _product(x: float, chosen: float) -> float:
 
 
 @kernel
-def _reach(arm: Arm, length: float, ahead: Vec, side: float) -> float:
+def _reach(arm: Any, length: float, ahead: Vec, side: float) -> float:
     """Reach of a cage on one side of the force along it [m]; 0 on the other side."""
-    e = arm_direction(arm)
+    e, away = end_place(arm, length)
     turned = (ahead.x * e.y - ahead.y * e.x) * side
-    reach = length * (e @ ahead)
+    reach = away * (e @ ahead)
     return select((turned >= 0.0) & (reach > 0.0), reach, 0.0)
 
 
@@ -95,8 +95,9 @@ def _foremost(reach: float, most: float) -> float:
 
 
 @kernel
-def _tip(arm: Arm, length: float, chosen: float) -> Vec:
-    return arm_direction(arm) * (length * chosen)
+def _tip(arm: Any, length: float, chosen: float) -> Vec:
+    at = end_place(arm, length)
+    return at.direction * (at.distance * chosen)
 
 
 @kernel

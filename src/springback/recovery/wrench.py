@@ -15,11 +15,11 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from springback.control.mixing import wrench_of
+from springback.control.mixing import sideways_of, wrench_of
 from springback.control.rate import inertia_at
 from springback.control.target import Wrench
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import select, tree_map
+from springback.kernels.trees import fold, select, tree_map
 from springback.kernels.vectors import ZERO, Mat3, Vec, rotation
 from springback.sensing.measurement import Estimate, Measurement
 from springback.vehicle.state import Airframe
@@ -97,6 +97,11 @@ def _from_acceleration(
     return old + (now - old) * (observer.force_gain * observer.interval)
 
 
+@kernel
+def _beside(force: Vec, sideways: Vec, r: Mat3) -> Vec:
+    return force + r @ sideways
+
+
 class KnownWrench(NamedTuple):
     """Known wrench of one sample, and the angular momentum."""
 
@@ -150,7 +155,10 @@ def sampled_wrench(
     given: Wrench = wrench_of(inputs.airframe, measurement.arm_length, thrust)
     r, h, k = rotation(at.attitude), observer.interval, observer.force_gain
     up = Vec(r.x.z, r.y.z, r.z.z)
-    by_rotors = up * given.thrust
+    craft, lengths = inputs.airframe, measurement.arm_length
+    by_rotors = fold(_beside, up * given.thrust, sideways_of(
+        craft.rotors, craft.arms, lengths, thrust
+    ), (r,))  # fmt: skip
     sampled = measurement.inertial.specific_force
     from_acceleration = _from_acceleration(observer, by_rotors, r, sampled, memory.force)
 

@@ -10,7 +10,7 @@ import scipy  # submodules are loaded on first use
 from springback.contact.cage import moving_bodies
 from springback.contact.moving.bodies import ABSENT, CARRIED
 from springback.simulation.flight import FlightRecord, Trace
-from springback.simulation.playback import bristle_columns
+from springback.simulation.playback import memory_columns
 from springback.simulation.thrusts import ThrustTable
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -42,19 +42,15 @@ def trajectory_columns(
     for name, source in rubbed.items():
         parts = np.stack([trace[f"{source}.{axis}"] for axis in "xyz"])
         columns[name], units[name] = np.linalg.norm(parts, axis=0), "N"
-    if flown.start.bristles != ():
-        held = bristle_columns(len(count), len(flown.start.bristles.hull))
-        for name, (source, unit) in held.items():
-            columns[name], units[name] = np.ascontiguousarray(trace[source]), unit
+    for name, (source, unit) in memory_columns(flown.start.memory).items():
+        columns[name], units[name] = np.ascontiguousarray(trace[source]), unit
     for number, body in enumerate(moving_bodies(flown.model.world.obstacles), start=1):
         if body.kind not in (ABSENT, CARRIED):  # of another vehicle, which has its own
             moving = _body_columns(trace, f"bodies.{number}.pose", f"obstacle{int(body.obstacle)}_")
             columns |= {name: column for name, (column, _) in moving.items()}
             units |= {name: unit for name, (_, unit) in moving.items()}
     if thrusts is not None:
-        given = {
-            f"thrust{j}": row for j, row in zip(count, thrusts.at(columns["t"]).T, strict=True)
-        }
+        given = {f"thrust{j}": row for j, row in enumerate(thrusts.at(columns["t"]).T, start=1)}
         columns, units = columns | given, units | dict.fromkeys(given, "N")
     return columns, units
 
@@ -95,7 +91,7 @@ def work_columns(flown: FlightRecord) -> dict[str, Array]:
     return work | {"touching": touching}
 
 
-#: Columns of telemetry: name, source, unit.  An `n` represents the number of an arm.
+#: Columns of telemetry: name, source, unit.  An `n` represents the number of an arm or a rotor.
 _TELEMETRY = (
     ("t", "time", "s"),
     ("command{n}", "command.{n}", "N"), ("thrust{n}", "thrust.{n}", "N"),
@@ -120,18 +116,23 @@ _TELEMETRY = (
     ("alarms_wrench", "pilot.alarms.3", ""),
     ("force_{a}", "pilot.force.{a}", "N"), ("moment_{a}", "pilot.moment.{a}", "N m"),
     ("hit_{a}", "pilot.direction.{a}", ""),
-    ("alarm", "report.alarm", ""),
+    ("alarm", "report.alarm", ""), ("stopped{n}", "stopped.{n}", "s"),
 )  # fmt: skip
 
 
-def telemetry_columns(trace: Trace | None, arms: int) -> tuple[dict[str, Array], dict[str, str]]:
-    """Columns of telemetry under their file names, with units; those that the pilot recorded."""
+def telemetry_columns(trace: Trace | None, most: int) -> tuple[dict[str, Array], dict[str, str]]:
+    """Columns of telemetry under their file names, with units; those that the pilot recorded.
+
+    Args:
+        trace: As recorded.
+        most: Number of arms, or of rotors if there are more.
+    """
     columns: dict[str, Array] = {}
     units: dict[str, str] = {}
     if trace is None:
         return columns, units
     for name, source, unit in _TELEMETRY:
-        for n in range(1, arms + 1) if "{n}" in source else (0,):
+        for n in range(1, most + 1) if "{n}" in source else (0,):
             for a in "xyz" if "{a}" in source else ("",):
                 for q in "wxyz" if "{q}" in source else ("",):
                     known = source.format(n=n, a=a, q=q)

@@ -9,12 +9,14 @@ from typing import Any
 
 import numpy as np
 
-from springback.contact.cage import moving_bodies
+from springback.errors import InputError
 from springback.results.flight import Flight, fly
+from springback.results.pair.contacts import pair_view
 from springback.scenario.scenario import Scenario
+from springback.simulation.measuring.record import Model
 from springback.simulation.playback import load_history
-from springback.simulation.record import Model
-from springback.vehicle.state import Airframe, Arm
+from springback.vehicle.arms.joints import JointedArm
+from springback.vehicle.state import Airframe, Arm, Shell
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Columns = dict[str, Array]
@@ -46,22 +48,33 @@ def ledger(flight: Flight | Scenario) -> dict[str, Array]:
         Columns of shape (instants,): ``t`` [s], the same as of the trajectory; stored energy
         (`HELD`, gravity and obstacles above the start), that supplied by rotors and by what drives
         obstacles (`SUPPLIED`), and that lost (`LOST`), all in J since the start.
+        Of two vehicles each is driven by the other; what their contact stores is the first one's.
+
+    Raises:
+        InputError: For a second vehicle that was read from a folder.
     """
     if isinstance(flight, Scenario):
         flight = fly(flight)
+    elif not flight.work and flight.is_second:
+        raise InputError("the work of a second vehicle is not in a folder: fly both again")
     elif not flight.work:
         flight = fly(flight.scenario)
-    work, model = flight.work, flight.scenario.flight_model(flight.own)
-    bodies = range(1, len(moving_bodies(model.world.obstacles)) + 1)
+    work, model, trace = flight.work, flight.scenario.flight_model(flight.own), flight.columns
+    if flight.second is not None:
+        seen = pair_view(flight.scenario, flight.columns, flight.second.columns)
+        model, trace = seen.model, seen.columns
+    bodies = [k for k in range(1, len(work)) if f"bodies.{k}.driven" in work]
     columns = {"t": flight.t, "work_thrust": work["thrust"]}
     columns |= {name: work[name.removeprefix("loss_")] for name in LOST if name != _OF_OBSTACLES}
     columns["work_driven"] = _all_together(work, [f"bodies.{k}.driven" for k in bodies])
     of_obstacles = [f"bodies.{k}.{x}" for k in bodies for x in ("joint", "contact", "friction")]
     columns[_OF_OBSTACLES] = _all_together(work, of_obstacles)
-    if bodies:
-        columns |= _evaluated(model, flight.columns)
+    airframe = model.airframe
+    turning = any(isinstance(part, JointedArm | Shell) for part in airframe.arms + airframe.hull)
+    if bodies or turning:
+        columns |= _evaluated(model, trace)
     else:
-        columns |= _stored_energy(model.airframe, model.world.gravity, flight.columns)
+        columns |= _stored_energy(airframe, model.world.gravity, trace)
         columns["energy_obstacles"] = np.zeros(len(flight.t))
         columns["energy_contact"] = _remainder(columns, work)
     return {name: columns[name] for name in ("t", *HELD, *SUPPLIED, *LOST)}
@@ -89,7 +102,10 @@ def _remainder(columns: Columns, work: Columns) -> Array:
 
 
 def _stored_energy(airframe: Airframe, gravity: float, c: Columns) -> dict[str, Array]:
-    """Kinetic energy, height, springs and stops: `springback.dynamics.energy.energy` in columns."""
+    """Kinetic energy, height, springs and stops: `springback.dynamics.energy.energy` in columns.
+
+    For arms that slide in the body plane.
+    """
     velocity, spin, r = _vectors(c, "v"), _vectors(c, "w"), _rotations(c)
     body_mass = airframe.mass - sum(arm.mass for arm in airframe.arms)
     inertia = np.array(airframe.inertia)

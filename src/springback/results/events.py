@@ -8,8 +8,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.recovery.state_machine import CRUISE, HOVER, LOOK, PHASES, RECOVER, RETURN, STAGES
+from springback.results.motion import specific_force_at
 from springback.results.result import FlightResult
+from springback.simulation.measuring.limits import arm_force
 from springback.simulation.playback import NO_FORCE
+from springback.vehicle.limits import UNLIMITED, LoadLimits
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -36,9 +39,10 @@ class Event(NamedTuple):
     """An event of a flight.
 
     Kinds of the whole vehicle, one after the other in every impact: ``touch``, ``peak`` and
-    ``separation``; ``bottomed``, ``ground`` and ``propeller`` once; ``alarm`` and ``phase`` of a
-    recovery; ``settled``, when the arms are locked again; ``end``.  Kinds of one part, a cage or
-    the hull: ``contact`` and ``release``, and ``stop`` and ``stop_release`` of an arm.
+    ``separation``; ``bottomed``, ``ground``, ``propeller`` and ``rotor`` once; ``alarm`` and
+    ``phase`` of a recovery; ``settled``, when the arms are locked again; ``end``.  Kinds of one
+    part, a cage or the hull: ``contact`` and ``release``, ``stop`` and ``stop_release`` of an arm,
+    and ``broken``, once, of what is loaded beyond its limit.
     """
 
     t: float
@@ -101,7 +105,7 @@ def events_of(flight: FlightResult) -> tuple[Event, ...]:
     """Events in order of time."""
     t = flight.columns["t"]
     found = [*_contacts(flight), *_failures(flight), *_phases(flight), *_settling(flight)]
-    found += [*_reports(flight), *_parts(flight)]
+    found += [*_reports(flight), *_parts(flight), *_overloads(flight)]
     found.append(Event(float(t[-1]), "end", "end", flight.message))
     return tuple(sorted(found, key=lambda event: event.t))
 
@@ -136,10 +140,38 @@ def _contacts(flight: FlightResult) -> list[Event]:
     return found
 
 
+def _overloads(flight: FlightResult) -> list[Event]:
+    """When each part was first loaded beyond its limit."""
+    limits, c = flight.scenario.vehicle.limits, flight.columns
+    if limits is None or flight.measures.get("broken_time") is None:
+        return []
+    known = flight.scenario.vehicle.load_limits()
+    assert isinstance(known, LoadLimits)
+    loads: list[tuple[str, Array, float, str]] = []
+    for j, arm in enumerate(flight.scenario.vehicle.airframe().arms, start=1):
+        loads.append((f"guard {j}", c[f"fn{j}"], known.guards[j - 1], "N"))
+        if known.arms[j - 1] < UNLIMITED:
+            moves = zip(c[f"l{j}"].tolist(), c[f"dl{j}"].tolist(), strict=True)
+            forces = np.array([arm_force(arm, length, rate) for length, rate in moves])
+            loads.append((f"arm {j}", forces, known.arms[j - 1], "N"))
+    for one in limits.components:
+        if not (flight.is_second and any(one.position)):
+            felt = np.linalg.norm(specific_force_at(flight, one.position), axis=1)
+            loads.append((one.name, felt, one.specific_force, "m/s²"))
+    found = []
+    for name, load, most, unit in loads:
+        beyond = np.flatnonzero(load > most)
+        if len(beyond):
+            when, sentence = float(c["t"][beyond[0]]), f"{name}: more than {most:g} {unit}"
+            found.append(Event(when, "broken", "broken", sentence, value=float(load.max())))
+    return found
+
+
 def _failures(flight: FlightResult) -> list[Event]:
     named = {"bottomed_time": ("bottomed", "an arm reaches the end of its stroke"),
              "ground_time": ("ground", "a cage touches the ground"),
-             "propeller_hit_time": ("propeller", "a propeller is hit")}  # fmt: skip
+             "propeller_hit_time": ("propeller", "a propeller is hit"),
+             "rotor_stop_time": ("rotor", "a rotor stops")}  # fmt: skip
     found = []
     for name, (label, text) in named.items():
         when = flight.measures.get(name)

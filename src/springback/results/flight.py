@@ -51,7 +51,7 @@ from springback.simulation.guided import (
     fly_guided,
     ticks_of,
 )
-from springback.simulation.measures import Outcome, measures_of, outcome_of
+from springback.simulation.measuring.measures import Outcome, measures_of, outcome_of
 from springback.simulation.noise import noise_table
 from springback.simulation.onboard import Avionics
 from springback.simulation.thrusts import ThrustTable
@@ -329,14 +329,15 @@ def _flight_of(
 ) -> Flight:
     """Flight of what was flown; without a pilot, with readings of the sensors if there are any."""
     flown = result.flown if isinstance(result, GuidedFlown) else result
-    (columns, units), arms = trajectory_columns(flown, thrusts), len(flown.start.arm_length)
+    columns, units = trajectory_columns(flown, thrusts)
     outcome, measures, read = outcome_of(flown.record), measures_of(flown), None
     if isinstance(result, GuidedFlown):
         (outcome, measures), read = guided_result(result), result.telemetry
     elif columns and "sensors" in scenario.model_fields_set:
         with as_input():
             read = sensor_readings(scenario, columns)
-    telemetry, more = telemetry_columns(read, arms)
+    most = max(len(flown.start.arm_length), len(flown.model.thrust))
+    telemetry, more = telemetry_columns(read, most)
     work = work_columns(flown)
     return Flight(scenario, outcome, measures, columns, units | more, telemetry, work)
 
@@ -386,7 +387,7 @@ def fly_built(
     """
     assert built.built_avionics is not None  # only called for flights with a pilot
     avionics, draws = built.built_avionics
-    rotors = len(built.start.arm_length)
+    rotors = len(built.model.thrust)
     plain = None if built.plain is None else guarded_pilot(built.plain, rotors)
     laws = check_user_code(built)
     ticks = ticks_of(built.model.timing.until, avionics.systems.period)
@@ -424,7 +425,7 @@ def check_user_code(built: ReadyFlight) -> list[Law]:
         if not own_types(part):
             continue
         if isinstance(part, CompiledPilot):
-            rotors = len(built.start.arm_length)
+            rotors = len(built.model.thrust)
             laws.append(check_compiled_pilot(part, onboard.measurement, rotors))
         elif isinstance(part, CompiledEstimator):
             laws.append(check_estimator(part, onboard.measurement))

@@ -1,6 +1,6 @@
 """Measures of a flight as typed attributes, so that editors complete them and mypy knows them.
 
-The registries are `springback.simulation.measures.MEASURES` and
+The registries are `springback.simulation.measuring.measures.MEASURES` and
 `springback.results.recovery_measures.RECOVERY_MEASURES`; a test compares this class with them.
 """
 
@@ -14,7 +14,7 @@ class FlightMeasures:
     """
 
     restitution_at_separation: float | None
-    """|v_n| of the main body, last separation / first touch"""
+    """v_n of the main body, out at last separation / in at touch"""
     restitution_at_return: float | None
     """the same, when it is back where it was at first touch"""
     restitution_of_mass_centre: float | None
@@ -88,6 +88,18 @@ class FlightMeasures:
     """a propeller was hit; needs propulsion.disk_radius [s]"""
     propellers_hit: float | None
     """number of propellers that were hit; likewise"""
+    rotor_stop_time: float | None
+    """a rotor stopped, hit; needs propulsion.stop [s]"""
+    rotors_stopped: float | None
+    """number of rotors that stopped at least once; likewise"""
+    guard_margin: float | None
+    """what the most loaded guard could bear more, over its limit; needs vehicle.limits"""
+    arm_margin: float | None
+    """the same for the force along an arm"""
+    component_margin: float | None
+    """the same for the specific force at a component"""
+    broken_time: float | None
+    """a part was loaded beyond its limit [s]"""
     end_time: float | None
     """end of the simulation [s]"""
     steps: float | None

@@ -15,31 +15,33 @@ import scipy  # submodules are loaded on first use
 from springback.contact.cage import (
     BodyMotion,
     ContactFace,
-    body_motion,
-    obstacles_in_body_frame,
-    obstacles_now,
     per_face,
 )
 from springback.contact.hull_contact import (
+    BodySight,
     arm_faces,
     arm_gaps,
+    arm_sight,
+    body_sight,
     hull_contact,
     hull_faces,
     hull_gaps,
 )
+from springback.contact.laws.memory import arm_memory, hull_memory
 from springback.contact.loads import CageContact, face_contact
 from springback.contact.moving.hulls import with_hulls
 from springback.contact.moving.scene import MovingScene, exactly
 from springback.contact.parameters import faces
 from springback.contact.scene.faces import FACES, SolidScene
 from springback.contact.worlds import Own, alone, obstacles
+from springback.dynamics.limbs.shell import hull_motion
 from springback.dynamics.solution import Slider
-from springback.dynamics.touches import arm_bristles, hull_bristles
 from springback.errors import InputError
 from springback.kernels.compiler import executor, kernel, user_executor
 from springback.kernels.layout import Buffer, TreeLayout, read, write
 from springback.kernels.trees import leaves, names, rebuilt, tree_map, tree_sum
 from springback.kernels.vectors import Vec
+from springback.results.joints.turning import turning_by_equations
 from springback.results.pair.contacts import pair_view
 from springback.results.result import FlightResult
 from springback.scenario.avionics import devices_of, normals_at_start, propulsion_of
@@ -50,12 +52,15 @@ from springback.scenario.worlds.imported import Imported, single_obstacles
 from springback.sensing.sensors import sensors_at_start
 from springback.simulation.flight import Trace, model_state, own_types, sources, still_state
 from springback.simulation.guided import ticks_of
+from springback.simulation.measuring.record import Model
 from springback.simulation.noise import noise_table
 from springback.simulation.onboard import Truth, sensor_step
 from springback.simulation.playback import Instant, states_at
-from springback.simulation.record import Model
-from springback.vehicle.rotors import lag_over
-from springback.vehicle.state import Arm, Bristles, State, arm_pose
+from springback.vehicle.arms.joints import JointedArm
+from springback.vehicle.propulsion import Propulsion
+from springback.vehicle.rotor_stop import BROKEN, RotorStop, reaction
+from springback.vehicle.rotors import INSTANT, Lag, lag_over
+from springback.vehicle.state import PartMemory, Shell, State, in_body_axes
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -173,17 +178,13 @@ class PartContact(NamedTuple):
 
 
 @kernel
-def _on_cage(
-    face: ContactFace, bristles: tuple[Bristles, ...], arm: Any, body: BodyMotion
-) -> CageContact:
-    return face_contact(face, 1.0, bristles, arm, body)
+def _on_cage(face: ContactFace, memory: PartMemory, arm: Any, body: BodyMotion) -> CageContact:
+    return face_contact(face, 1.0, memory, arm, body)
 
 
 @kernel
-def _on_hull(
-    face: ContactFace, bristles: tuple[Bristles, ...], hull: Any, body: BodyMotion
-) -> CageContact:
-    return hull_contact(face, 1.0, bristles, hull, body)
+def _on_hull(face: ContactFace, memory: PartMemory, hull: Any, body: BodyMotion) -> CageContact:
+    return hull_contact(face, 1.0, memory, hull, body)
 
 
 @kernel
@@ -193,41 +194,39 @@ def _moment(contact: CageContact) -> Vec:
 
 @kernel
 def _arm_contact(
-    arm: Arm,
+    arm: Any,
     length: float,
     rate: float,
-    bristles: tuple[Bristles, ...],
-    obstacles: Any,
+    memory: PartMemory,
     contact_point: Any,
-    body: BodyMotion,
+    around: BodySight,
 ) -> PartContact:
-    pose = arm_pose(arm, length, rate, body.velocity)
+    pose, obstacles, body = arm_sight(arm, length, rate, around)
     faces = arm_faces(arm, obstacles, contact_point, pose, 1.0)
-    found = tree_map(_on_cage, (faces,), (bristles, pose, body))
+    found = tree_map(_on_cage, (faces,), (memory, pose, body))
     gaps = arm_gaps(arm, obstacles, contact_point, pose)
-    return PartContact(tree_sum(tree_map(_moment, (found,), ())), gaps)
+    moment = tree_sum(tree_map(_moment, (found,), ()))
+    return PartContact(in_body_axes(arm, length, moment), gaps)
 
 
 @kernel
-def _hull_contact(
-    hull: Any, bristles: tuple[Bristles, ...], obstacles: Any, body: BodyMotion
-) -> PartContact:
-    found = tree_map(_on_hull, (hull_faces(hull, obstacles, 1.0),), (bristles, hull, body))
+def _hull_contact(hull: Any, memory: PartMemory, obstacles: Any, body: BodyMotion) -> PartContact:
+    there = hull_motion(hull, memory, body)
+    found = tree_map(_on_hull, (hull_faces(hull, obstacles, 1.0),), (memory, hull, there))
     return PartContact(tree_sum(tree_map(_moment, (found,), ())), hull_gaps(hull, obstacles))
 
 
 @kernel
 def _contacts(at: Instant) -> tuple[PartContact, ...]:
     state = at.state
-    body = body_motion(state, 0.0)
-    there = obstacles_now(at.world.obstacles, state.bodies)
-    obstacles = obstacles_in_body_frame(there, state.position, body.r)
-    on_arms = arm_bristles(state.bristles, at.airframe.arms)
-    on_hull = hull_bristles(state.bristles, at.airframe.hull)
+    around = body_sight(at.world.obstacles, state, 0.0)
+    obstacles, body = around.obstacles, around.body
+    on_arms = arm_memory(state.memory, at.airframe.arms)
+    on_hull = hull_memory(state.memory, at.airframe.hull)
     arms = tree_map(
         _arm_contact,
         (at.airframe.arms, state.arm_length, state.arm_rate, on_arms),
-        (obstacles, at.contact_point, body),
+        (at.contact_point, around),
     )
     found: tuple[PartContact, ...] = arms + tree_map(
         _hull_contact, (at.airframe.hull, on_hull), (obstacles, body)
@@ -272,7 +271,8 @@ def angular_acceleration(flight: FlightResult, own: tuple[Own, ...] = ()) -> Arr
     """Angular acceleration of the main body, body axes [rad/s²], shape (instants, 3).
 
     Exact: from the moments of contacts and rotors and the recorded acceleration of the main body
-    by the second of the six equations of `springback.dynamics.motion`.
+    by the second of the six equations of `springback.dynamics.motion`; for arms on joints, rotors
+    that the vehicle lists, and with a hull that turns by itself, from all of them.
 
     Args:
         flight: With its trajectory.
@@ -284,13 +284,17 @@ def angular_acceleration(flight: FlightResult, own: tuple[Own, ...] = ()) -> Arr
     model, c = _model(flight, own), flight.columns
     if isinstance(model.guide, Slider):
         return np.zeros((len(flight.t), 3))
+    thrusts = _thrusts(flight, model)
+    airframe = model.airframe
+    listed = airframe.rotors or model.surface_effect
+    if listed or any(isinstance(one, JointedArm | Shell) for one in airframe.arms + airframe.hull):
+        reactions = _reactions(flight, model)
+        return turning_by_equations(*_beside_second(model, flight), thrusts, reactions)
     omega, felt = _vectors(flight, "w"), _in_body_frame(flight)
     moment = _contact_moment(model, flight)
     inertia = np.broadcast_to(np.array(model.airframe.inertia), (len(omega), 3, 3)).copy()
     rate, carried = np.zeros_like(inertia), np.zeros_like(omega)
-    for j, (arm, thrust) in enumerate(
-        zip(model.airframe.arms, _thrusts(flight, model), strict=True), start=1
-    ):
+    for j, (arm, thrust) in enumerate(zip(model.airframe.arms, thrusts, strict=True), start=1):
         e, length = np.array([arm.cosine, arm.sine, 0.0]), c[f"l{j}"]
         across = np.eye(3) - np.outer(e, e)
         inertia += (arm.mass * length**2)[:, None, None] * across
@@ -299,6 +303,7 @@ def angular_acceleration(flight: FlightResult, own: tuple[Own, ...] = ()) -> Arr
         moment += thrust[:, None] * np.stack(
             [length * arm.sine, -length * arm.cosine, np.full_like(length, arm.torque_ratio)], 1
         )
+    moment[:, 2] += sum(_reactions(flight, model))
     momentum = np.einsum("tij,tj->ti", inertia, omega)
     rest = moment - np.cross(omega, momentum) - np.einsum("tij,tj->ti", rate, omega)
     rest -= np.cross(carried, felt)
@@ -307,15 +312,20 @@ def angular_acceleration(flight: FlightResult, own: tuple[Own, ...] = ()) -> Arr
 
 def _contact_moment(model: Model, flight: FlightResult) -> Array:
     """Moment of all contacts about the main body, body axes [N m], shape (instants, 3)."""
+    return contact_history(*_beside_second(model, flight)).moment.copy()
+
+
+def _beside_second(model: Model, flight: FlightResult) -> tuple[Model, FlightResult]:
+    """Model and flight of a vehicle, to which the parts of a second one are moving obstacles."""
     if flight.is_second:
         raise InputError(
             "at: must be [0, 0, 0] for a second vehicle: its contacts with the first one are known "
             "by their sum only"
         )
     if flight.second is None:
-        return contact_history(model, flight).moment.copy()
+        return model, flight
     seen = pair_view(flight.scenario, flight.columns, flight.second.columns)
-    return contact_history(seen.model, replace(flight, columns=seen.columns)).moment.copy()
+    return seen.model, replace(flight, columns=seen.columns)
 
 
 def specific_force_at(flight: FlightResult, at: Any, own: tuple[Own, ...] = ()) -> Array:
@@ -368,14 +378,56 @@ def _thrusts(flight: FlightResult, model: Model) -> list[Array]:
         return [flight.columns[f"thrust{j}"] for j in range(1, len(model.thrust) + 1)]
     if "thrust1" not in telemetry:
         return [np.full(len(flight.t), thrust) for thrust in model.thrust]
-    rotors = propulsion_of(flight.scenario, model.airframe)
-    lag = lag_over(rotors.time_constant, 1.0 / flight.scenario.clock)
+    rotors, period = propulsion_of(flight.scenario, model.airframe), 1.0 / flight.scenario.clock
+    turns, stands = (
+        (1.0 - lag.mean) / (1.0 - lag.end)
+        for lag in (lag_over(rotors.time_constant, period), _lag_of_a_stop(rotors, period))
+    )
     tick = _ticks(flight, flight.t)
     found = []
     for j in range(1, len(model.thrust) + 1):
-        begin = telemetry[f"thrust{j}"]
-        end = np.append(begin[1:], begin[-1])
-        found.append((begin + (end - begin) * ((1.0 - lag.mean) / (1.0 - lag.end)))[tick])
+        begin, end = _thrust_at_ends(telemetry, j)
+        share = np.where(_stands(telemetry, j), stands, turns)
+        found.append((begin + (end - begin) * share)[tick])
+    return found
+
+
+def _thrust_at_ends(telemetry: dict[str, Array], j: int) -> tuple[Array, Array]:
+    """Thrust of rotor ``j`` at the beginning and the end of each tick [N]; constant at the last."""
+    begin = telemetry[f"thrust{j}"]
+    return begin, np.append(begin[1:], begin[-1])
+
+
+def _stands(telemetry: dict[str, Array], j: int) -> Array:
+    """True in the ticks in which rotor ``j`` has stopped; that of the last one is not recorded."""
+    if f"stopped{j}" not in telemetry:
+        return np.zeros(len(telemetry["t"]), dtype=bool)
+    since = np.append(telemetry[f"stopped{j}"][1:], telemetry[f"stopped{j}"][-1])
+    stands = (since >= 0.0) & (since <= telemetry["t"] + ROUNDING)
+    return np.asarray(stands | (since == BROKEN))
+
+
+def _lag_of_a_stop(propulsion: Propulsion, period: float) -> Lag:
+    stop = propulsion.rotor_stop(period)
+    return stop.lag if isinstance(stop, RotorStop) else lag_over(INSTANT, period)
+
+
+def _reactions(flight: FlightResult, model: Model) -> list[Array | float]:
+    """Moments of rotors that change speed, each about its axis [N m]; mostly zero.
+
+    Each is one number or has the shape (instants,).
+    """
+    rotors = getattr(model.airframe.rotors, "each", model.airframe.arms)
+    telemetry, period = flight.telemetry, 1.0 / flight.scenario.clock
+    propulsion = flight.scenario.vehicle.propulsion
+    stop = None if propulsion is None else propulsion.rotor_stop(period)
+    if not isinstance(stop, RotorStop) or "thrust1" not in telemetry:
+        return [0.0] * len(rotors)
+    ticks = _ticks(flight, flight.t)
+    found: list[Array | float] = []
+    for j, rotor in enumerate(rotors, start=1):
+        ends = zip(*_thrust_at_ends(telemetry, j), strict=True)
+        found.append(np.array([reaction(rotor, *both, stop) for both in ends])[ticks])
     return found
 
 

@@ -14,9 +14,15 @@ import numpy as np
 
 from springback.recovery.evaluator import EvaluatorMemory
 from springback.recovery.pilot import RecoveryPilotMemory
-from springback.simulation.columns import Array, as_columns
 from springback.simulation.guided import GuidedFlown
-from springback.simulation.measures import Outcome, first_claimed, outcomes_of, scalars_of, where
+from springback.simulation.measuring.columns import Array, as_columns
+from springback.simulation.measuring.measures import (
+    Outcome,
+    first_claimed,
+    outcomes_of,
+    scalars_of,
+    where,
+)
 
 #: Vectors shorter than this have no direction.
 LEVEL = 1e-9
@@ -64,7 +70,8 @@ def recovery_outcomes(record: Any, seen: Any, memory: Any) -> list[Outcome]:
         memory: That of the pilot, of columns.
     """
     plain = outcomes_of(record)
-    final = np.array([one in (Outcome.NOT_FINITE, Outcome.HIT_GROUND) for one in plain])
+    worst = (Outcome.NOT_FINITE, Outcome.BROKEN, Outcome.HIT_GROUND)
+    final = np.array([one in worst for one in plain])
     claims = [(Outcome.RECOVERED, seen.recovered >= seen.runs)]
     if isinstance(memory, RecoveryPilotMemory):
         claims.append((Outcome.NOT_DETECTED, seen.run.alarm < 0.0))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from springback.contact.grids.measured_shapes import GridShape
+from springback.contact.shapes import ShapeSettings, distance_around
 from springback.contact.worlds import Own
 from springback.errors import (
     CommandWarning,
@@ -22,7 +22,8 @@ from springback.results.meshes import Mesh, surfaces_of
 from springback.results.recovery_measures import RECOVERY_MEASURES
 from springback.scenario.scenario import Scenario
 from springback.scenario.worlds.imported import single_obstacles
-from springback.simulation.measures import FAILURES, MEASURES, Outcome
+from springback.simulation.measuring.measures import FAILURES, MEASURES, Outcome
+from springback.vehicle.state import reach
 
 if TYPE_CHECKING:
     import pandas
@@ -32,7 +33,9 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
 #: Share of the depth of the middle from which a contact is taken as pierced (chosen).
-PIERCED = 0.9
+PIERCED = 0.95
+#: Places of a trajectory that are looked at (chosen).
+PLACES = 1000
 #: Measures that are printed, those of a recovery last.
 _PRINCIPAL = (
     "touch_speed", "restitution_at_separation", "impact_peak_acceleration", "contact_time",
@@ -40,6 +43,9 @@ _PRINCIPAL = (
     "detection_delay", "recovery_time", "height_loss", "nose_up", "nose_down", "runs",
     "recovered_runs",
 )  # fmt: skip
+
+#: Measures to be told of where they are not 0.
+_DAMAGE = ("propellers_hit", "rotors_stopped")
 
 
 class MeasureLine(NamedTuple):
@@ -69,7 +75,7 @@ class FlightResult(FlightMeasures):
     outcome: Outcome
     """Reason for its end; ``outcome.word`` is the word in files and rows."""
     measures: dict[str, float | None]
-    """Measures by name; units and meanings are in `springback.simulation.measures.MEASURES`."""
+    """Measures by name; units and meanings: `springback.simulation.measuring.measures.MEASURES`."""
     columns: dict[str, Array]
     """Trajectory by column, each of shape (instants,); empty if it was not recorded."""
     units: dict[str, str]
@@ -148,18 +154,30 @@ class FlightResult(FlightMeasures):
         return found
 
     def _pierced(self) -> str | None:
-        """Warning about a mesh or grid that is thinner than twice the penetration."""
+        """Warning about an obstacle on the way that is thinner than twice the penetration."""
         depth = self.measures.get("penetration") or 0.0
         for k, entry in enumerate(self.scenario.world.obstacles):
             for one in single_obstacles([entry]):
-                if isinstance(one, GridShape) and depth > PIERCED * (middle := one.form().deepest):
+                if not isinstance(one, ShapeSettings):
+                    continue
+                middle = one.middle_depth()
+                if depth > PIERCED * middle and self._comes_near(one):
                     return (
                         f"a contact came {1e3 * depth:.3g} mm deep, and the middle of "
-                        f"world.obstacles[{k}], a {one.type}, is some {1e3 * middle:.3g} mm below "
-                        "its surface: beyond that it is pushed out on the other side; make it "
-                        "thicker or stiffer, or use a box"
+                        f"world.obstacles[{k}], a {entry.type}, is some {1e3 * middle:.3g} mm "
+                        "below its surface: beyond that it is pushed out on the other side, and "
+                        "what follows is not to be trusted; make it thicker or stiffer"
                     )
         return None
+
+    def _comes_near(self, shape: ShapeSettings) -> bool:
+        """True if the vehicle comes near a shape, or no trajectory tells."""
+        if shape.motion is not None or "x" not in self.columns:
+            return True
+        every = max(1, len(self.t) // PLACES)
+        path = np.stack([self.columns[axis][::every] for axis in "xyz"], axis=1)
+        far = reach(self.scenario.true_airframe())
+        return any(distance_around(one, path).min() < far for one in shape.bodies())
 
     @property
     def message(self) -> str:
@@ -174,7 +192,9 @@ class FlightResult(FlightMeasures):
     def readable_measures(self, *, all_of_them: bool = False) -> list[MeasureLine]:
         """The principal measures for reading, angles in degrees, or all."""
         known = MEASURES | (RECOVERY_MEASURES if "runs" in self.measures else {})
-        names = [name for name in (known if all_of_them else _PRINCIPAL) if name in known]
+        damage = [name for name in _DAMAGE if self.measures.get(name)]
+        wanted = known if all_of_them else (*_PRINCIPAL, *damage)
+        names = [name for name in wanted if name in known]
         return [MeasureLine(name, self.measures[name], *known[name]) for name in names]
 
     def __repr__(self) -> str:

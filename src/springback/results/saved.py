@@ -20,7 +20,7 @@ from springback.results.meshes import read_surfaces
 from springback.results.recovery_measures import RECOVERY_MEASURES
 from springback.results.sealed_json import file_digest, is_sealed, read_object
 from springback.scenario.scenario import Scenario, scenario_from
-from springback.simulation.measures import MEASURES, Outcome
+from springback.simulation.measuring.measures import MEASURES, Outcome
 from springback.vehicle.parameters import Vehicle
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -101,10 +101,12 @@ def _flight(
     path = folder / f"{prefix}telemetry.parquet"
     if path.name in files:
         telemetry, more = _table(path)
-        arms = range(1, scenario.vehicle.arm_count + 1)
+        vehicle = scenario.vehicle
         flown = scenario.reference or scenario.pilot or {"command1", "thrust1"} & telemetry.keys()
         kinds = ("command", "thrust") if flown else ("hall",)  # of a pilot, of sensors alone
-        _check_there(path, telemetry, [f"{kind}{n}" for kind in kinds for n in arms])
+        count = vehicle.rotor_count if flown else vehicle.arm_count
+        numbers = range(1, count + 1)
+        _check_there(path, telemetry, [f"{kind}{n}" for kind in kinds for n in numbers])
         _check(path, telemetry, ["t"])
         units |= more
     outcome, measures = _outcome(folder / "summary.json", verdict), _measures(folder, verdict)

@@ -42,11 +42,13 @@ from springback.simulation.guided import (
     AvionicsMemory,
     avionics_at_start,
 )
+from springback.simulation.measuring.record import Model
 from springback.simulation.onboard import Avionics, Draw, NoEvaluator, OnboardSystems
-from springback.simulation.record import Model
 from springback.simulation.ticks import GUST_NOISE
 from springback.vehicle.parameters import Vehicle
-from springback.vehicle.rotors import Propulsion, Rotors, lag_over
+from springback.vehicle.placed.settings import check_allocation
+from springback.vehicle.propulsion import Propulsion
+from springback.vehicle.rotors import Rotors, lag_over
 from springback.vehicle.state import Airframe, State
 
 #: Normal numbers that gusts take before the first tick.
@@ -118,7 +120,8 @@ def propulsion_of(scenario: ScenarioTables, airframe: Airframe | None = None) ->
         )
     s = scenario
     true = airframe or true_airframe(s.vehicle, s.model_error, s.payload)
-    share = true.mass * scenario.world.gravity / len(true.arms)
+    check_allocation(s.vehicle.rotors, s.vehicle.arms, propulsion.min_thrust)
+    share = true.mass * scenario.world.gravity / s.vehicle.lift
     sides = {"max_thrust": "more", "min_thrust": "less"} if share > 0.0 else {}
     for name, side in sides.items():
         given = getattr(propulsion, name)
@@ -145,7 +148,8 @@ class NominalVehicle(NamedTuple):
     airframe: Airframe
     mass: float  # [kg]
     rotors: Rotors
-    max_thrust: float  # collective [N]
+    max_thrust: float  # collective, as the next [N]
+    min_thrust: float
     gravity: float  # g [m/s²]
 
 
@@ -154,8 +158,8 @@ def nominal_vehicle(
 ) -> NominalVehicle:
     """A pilot's model of a vehicle."""
     airframe, rotors = build(Vehicle.airframe, vehicle), build(Propulsion.rotors, propulsion)
-    most = vehicle.arm_count * rotors.most
-    return NominalVehicle(airframe, vehicle.mass, rotors, most, gravity)
+    most, least = vehicle.lift * rotors.most, vehicle.lift * rotors.least
+    return NominalVehicle(airframe, vehicle.mass, rotors, most, least, gravity)
 
 
 def limits_of(believed: NominalVehicle, rate_limit: float) -> Limits:
@@ -164,7 +168,7 @@ def limits_of(believed: NominalVehicle, rate_limit: float) -> Limits:
         mass=believed.mass,
         gravity=believed.gravity,
         max_thrust=believed.max_thrust,
-        min_thrust=len(believed.airframe.arms) * believed.rotors.least,
+        min_thrust=believed.min_thrust,
         max_body_rate=rate_limit,
     )
 
@@ -453,17 +457,13 @@ def build_avionics(
     evaluator = _evaluator(s.recovery, flown_by.settings)
     judges = not isinstance(evaluator, NoEvaluator)
     seen: Any = evaluator_at_start(start.position) if judges else NO_EVALUATION
-    rotors = build(Propulsion.rotors, propulsion_of(s, model.airframe))
+    propulsion = propulsion_of(s, model.airframe)
+    rotors = build(Propulsion.rotors, propulsion)
+    lag = traceable(lag_over)(rotors.time_constant, period)
     systems = OnboardSystems(
-        sensors=sensors,
-        pilot=flown_by.settings,
-        rotors=rotors,
-        lag=traceable(lag_over)(rotors.time_constant, period),
-        evaluator=evaluator,
-        weather=air.weather,
-        mean_wind=air.mean_wind,
-        period=period,
-    )
+        sensors, flown_by.settings, rotors, lag, build(Propulsion.rotor_stop, propulsion, period),
+        evaluator, air.weather, air.mean_wind, period,
+    )  # fmt: skip
     remembered = traceable(sensors_at_start)(sensors, start, s.world.gravity)
     gusts = _first_gust(air.weather, tuple(drawn[BIASES:]))
     memory = AvionicsMemory(remembered, flown_by.memory, seen, gusts)

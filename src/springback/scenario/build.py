@@ -43,8 +43,8 @@ from springback.scenario.user.sensing import SensingCode, built_sensing, read_se
 from springback.sensing.perfect import PerfectMemory, PerfectState
 from springback.settings import problem
 from springback.simulation.guided import PlainPilot
+from springback.simulation.measuring.record import Model
 from springback.simulation.onboard import Relay
-from springback.simulation.record import Model
 from springback.simulation.thrusts import ThrustTable
 from springback.user_code import UserCode
 from springback.vehicle.state import State

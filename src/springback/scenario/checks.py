@@ -13,23 +13,22 @@ from pydantic_core import PydanticCustomError
 from springback.contact.cage import (
     LANDED,
     moving_bodies,
-    obstacles_in_body_frame,
-    obstacles_now,
 )
-from springback.contact.hull_contact import arm_gap, hull_gap
+from springback.contact.hull_contact import BodySight, arm_gap, arm_sight, body_sight, hull_gap
 from springback.contact.library import WALL
 from springback.contact.moving.hulls import with_hulls
 from springback.contact.moving.scene import MovingScene, scene_with
 from springback.contact.obstacles import Plane, signed_distance
 from springback.contact.parameters import SurfaceSettings, faces
-from springback.contact.scene.faces import SolidScene, distance_of
+from springback.contact.scene.faces import SolidScene
+from springback.contact.scene.nearest import distance_of
 from springback.contact.shapes import Box, ShapeSettings
 from springback.contact.surfaces import AnyExponent
 from springback.contact.worlds import Own, obstacles
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.routines import routines_compiled
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
-from springback.kernels.vectors import Vec, norm, rotation
+from springback.kernels.vectors import Vec, norm
 from springback.scenario.avionics import devices_of
 from springback.scenario.model import (
     RING_ROUNDING,
@@ -48,12 +47,13 @@ from springback.scenario.worlds.imported import Imported, single_obstacles
 from springback.scenario.worlds.mesh_check import check_meshes, size_words
 from springback.sensing.parameters import SensorSettings
 from springback.settings import problem
+from springback.simulation.measuring.record import Model
 from springback.simulation.pair.parts import carried_bodies
 from springback.simulation.pair.solids import solids_of
-from springback.simulation.record import Model
-from springback.vehicle.hulls import HullSettings
+from springback.vehicle.force_laws import HullSurface
+from springback.vehicle.hulls import HullSettings, no_shell
 from springback.vehicle.parameters import Vehicle
-from springback.vehicle.state import Airframe, State, arm_pose
+from springback.vehicle.state import Airframe, Arm, State
 
 #: Classical Runge–Kutta is stable up to 2.78 on the real axis; steps stay below this.
 STABLE = 2.5
@@ -72,6 +72,7 @@ def check_tables(scenario: ScenarioTables, build: Build = plain_build) -> None:
     s = scenario
     check_reference(s)
     check_hulls(s)
+    check_joints(s)
     check_meshes(s.world.obstacles)
     thrust = build(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
     check_slider(s)
@@ -81,11 +82,20 @@ def check_tables(scenario: ScenarioTables, build: Build = plain_build) -> None:
     check_drag(s, body.mass if body else s.vehicle.body.mass, max(map(sum, rows)))
 
 
+def check_joints(scenario: ScenarioTables) -> None:
+    """Reject what is defined for arms in the body plane alone, and arms out of their travel."""
+    scenario.vehicle.arms.check_compression(scenario.start.compression)
+    if not scenario.vehicle.arms.is_planar and scenario.model.contact_point == "paper":
+        raise problem(
+            "must be ring for arms on joints, or whose ends are raised: the paper's contact point "
+            "is defined in the plane of the arms (got paper)",
+            "model.contact_point",
+        )
+
+
 def check_hulls(scenario: ScenarioTables) -> None:
     """Reject springs of hulls and obstacles in series whose exponents differ."""
     for k, hull in enumerate(scenario.vehicle.hulls):
-        if hull.surface is None:
-            continue
         numbered = [
             (number, one)
             for number, entry in enumerate(scenario.world.obstacles)
@@ -93,15 +103,43 @@ def check_hulls(scenario: ScenarioTables) -> None:
         ]
         for (number, entry), name in itertools.product(numbered, ("surface", "backing")):
             law = getattr(entry, name, None)
-            if not isinstance(law, SurfaceSettings) or law.law == "impulse":
+            if not isinstance(law, SurfaceSettings):
                 continue
-            n, theirs = hull.surface.exponent, law.exponent_value()
-            if n != theirs:
-                raise problem(
-                    f"must be {theirs:g}, that of world.obstacles[{number}].{name}: springs in "
-                    f"series have the same exponent (got {n:g})",
-                    f"vehicle.hulls[{k}].surface.exponent",
-                )
+            if law.law == "impulse":
+                no_shell(hull, "at a surface of the impulse law", f"vehicle.hulls[{k}]")
+                continue
+            if hull.surface is None:
+                continue
+            _check_springs(
+                hull.surface, law, f"vehicle.hulls[{k}].surface",
+                f"world.obstacles[{number}].{name}",
+            )  # fmt: skip
+
+
+def _check_springs(hull: HullSurface, law: SurfaceSettings, field: str, there: str) -> None:
+    """Reject a spring of a hull that cannot be in series with that of a surface.
+
+    Args:
+        hull: Surface of the hull.
+        law: The other surface.
+        field: Path of the former.
+        there: Path of the latter.
+    """
+    if hull.is_alone:
+        return
+    if law.law in ("foam", "table"):
+        raise problem(
+            f"cannot be in series with {there}, whose law is {law.law}: give it in_series = false, "
+            "or leave it out",
+            field,
+        )
+    n, theirs = hull.exponent, law.exponent_value()
+    if n != theirs:
+        raise problem(
+            f"must be {theirs:g}, that of {there}: springs in series have the same exponent "
+            f"(got {n:g}); or give the hull's surface in_series = false",
+            f"{field}.exponent",
+        )
 
 
 def check_reference(scenario: ScenarioTables) -> None:
@@ -113,6 +151,12 @@ def check_reference(scenario: ScenarioTables) -> None:
             "cannot be combined with a reference, whose pilot commands it "
             f"(got {_words(scenario.thrust)})",
             "thrust",
+        )
+    if scenario.world.gravity == 0.0:
+        raise problem(
+            "must be more than 0 m/s^2 with a reference, whose pilot steers by tilting its lift "
+            "(got 0 m/s^2)",
+            "world.gravity",
         )
     if scenario.model.slider is not None:
         raise problem(
@@ -136,6 +180,13 @@ def check_without_pilot(scenario: ScenarioTables) -> None:
         raise problem(
             "blow only where a pilot flies: give a [reference], or a pilot of your own",
             "air.gusts",
+        )
+    propulsion = scenario.vehicle.propulsion
+    if propulsion is not None and propulsion.stop is not None and scenario.thrust != 0.0:
+        raise problem(
+            "acts only where a pilot flies: give a [reference], or a pilot of your own; or false "
+            "for rotors that turn on, or thrust = 0",
+            "vehicle.propulsion.stop",
         )
 
 
@@ -314,28 +365,31 @@ def _is_far(one: Any, place: Vec, reach: float) -> bool:
 
 def _gaps_of(obstacles: Any, model: Model, state: State) -> tuple[float, ...]:
     """Gaps of cages and hull to some obstacles at the start [m]."""
-    placed = obstacles_now(obstacles, tuple(body.start for body in moving_bodies(obstacles)))
-    there = obstacles_in_body_frame(placed, state.position, rotation(state.attitude))
+    starts = tuple(body.start for body in moving_bodies(obstacles))
     with routines_compiled():
-        return _gaps(there, model.airframe, model.contact_point)
+        around = body_sight(obstacles, state._replace(bodies=starts), 0.0)
+        return _gaps(around, model.airframe, state.arm_length, model.contact_point)
 
 
 @traceable
-def _gaps(obstacles: Any, airframe: Airframe, contact_point: Any) -> tuple[float, ...]:
-    """Gaps of cages and hull to obstacles in the body frame, arms at their free length [m]."""
-    still = Vec(0.0, 0.0, 0.0)
-    poses = [(arm, arm_pose(arm, arm.length, 0.0, still)) for arm in airframe.arms]
-    cages = [arm_gap(arm, obstacles, contact_point, pose) for arm, pose in poses]
-    return (*cages, *(hull_gap(hull, obstacles) for hull in airframe.hull))
+def _gaps(
+    around: BodySight, airframe: Airframe, lengths: tuple[float, ...], contact_point: Any
+) -> tuple[float, ...]:
+    """Gaps of cages and hull to obstacles [m], at given lengths of the arms [m]."""
+    posed = zip(airframe.arms, lengths, strict=True)
+    seen = [(arm, arm_sight(arm, length, 0.0, around)) for arm, length in posed]
+    cages = [arm_gap(arm, sight.obstacles, contact_point, sight.pose) for arm, sight in seen]
+    return (*cages, *(hull_gap(hull, around.obstacles) for hull in airframe.hull))
 
 
 @traceable
 def reach_of(airframe: Airframe) -> float:
     """Upper bound on the distance of a point from the main body [m], arms uncompressed."""
-    at_ends = [arm.length + norm(h.centre) + h.radius for arm in airframe.arms for h in arm.hull]
-    cages = [arm.length + arm.cage_radius for arm in airframe.arms] + at_ends
-    hulls: list[float] = [norm(hull.centre) + hull.radius for hull in airframe.hull]
-    return AMPLE * max(cages + hulls)
+    found: list[float] = [norm(hull.centre) + hull.radius for hull in airframe.hull]
+    for arm in airframe.arms:
+        end = arm.length if isinstance(arm, Arm) else norm(arm.joint.end)
+        found += [end + arm.cage_radius, *(end + norm(h.centre) + h.radius for h in arm.hull)]
+    return AMPLE * max(found)
 
 
 # -- a second vehicle -----------------------------------------------------------------------------
@@ -358,9 +412,18 @@ def check_second(first: ScenarioTables, second: ScenarioTables) -> None:
                     "spheres, capsules, boxes or rings",
                     f"{path}vehicle.hulls[{k}].type",
                 )
-            _check_in_series(first, hull, f"{path}vehicle.hulls[{k}].surface.exponent")
+            _check_in_series(first, hull, f"{path}vehicle.hulls[{k}].surface")
         if isinstance(one.thrust, ThrustSettings):
             raise problem("must be constant beside another vehicle, not a table", f"{path}thrust")
+    ours = [hull.surface is not None and hull.surface.is_alone for hull in first.vehicle.hulls]
+    for k, hull in enumerate(second.vehicle.hulls):
+        if any(ours) and hull.surface is not None and hull.surface.is_alone:
+            raise problem(
+                "must be in series with others: a hull of the first vehicle meets everything by "
+                f"its own law, too, and which of both yields is not known (got law "
+                f"{hull.surface.law})",
+                f"second.vehicle.hulls[{k}].surface",
+            )
     assert first.second is not None
     law = first.second.surface
     if law is not None and law.law == "impulse":
@@ -370,15 +433,11 @@ def check_second(first: ScenarioTables, second: ScenarioTables) -> None:
 
 
 def _check_in_series(first: ScenarioTables, hull: HullSettings, field: str) -> None:
-    """Reject springs of a hull and of the contact between two vehicles whose exponents differ."""
+    """Reject springs of a hull and of the contact between two vehicles that cannot be in series."""
     assert first.second is not None
     law = WALL if first.second.surface is None else first.second.surface
-    if hull.surface is not None and hull.surface.exponent != law.exponent_value():
-        raise problem(
-            f"must be {law.exponent_value():g}, that of second.surface: springs in series have the "
-            f"same exponent (got {hull.surface.exponent:g})",
-            field,
-        )
+    if hull.surface is not None:
+        _check_springs(hull.surface, law, field, "second.surface")
 
 
 def check_apart(

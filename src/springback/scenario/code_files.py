@@ -35,8 +35,9 @@ FILES_AT: tuple[tuple[str, ...], ...] = (
     *_FILES_OF_A_VEHICLE, *(("second", *path) for path in _FILES_OF_A_VEHICLE),
     ("second",), ("second", "preset"),
 )  # fmt: skip
-#: Where a scenario may name the files of obstacles, and folders with what these name.
+#: Where a scenario may name the files of models, of obstacles, and folders with what these name.
 WORLDS_AT: tuple[tuple[str, ...], ...] = (
+    ("vehicle", "body", "model"), ("second", "vehicle", "body", "model"),
     ("world", "obstacles", "*", "file"), ("world", "obstacles", "*", "search", "*"),
     ("world", "obstacles", "*", "shapes", "*", "file"),
 )  # fmt: skip
@@ -63,7 +64,7 @@ def with_absolute_names(given: Mapping[str, Any], folder: Path) -> dict[str, Any
 
 
 def _absolute_world(word: Any, folder: Path) -> Any:
-    """Name of a file or folder of an imported world, made absolute."""
+    """Name of a file or folder of another program, made absolute."""
     is_name = isinstance(word, str) and word and "\x00" not in word
     return os.path.abspath(folder / word) if is_name else word
 

@@ -43,9 +43,11 @@ from springback.scenario.tables import (
 )
 from springback.scenario.worlds.imported import single_obstacles
 from springback.settings import naming, problem
-from springback.simulation.flight import bristles_at_start
-from springback.simulation.record import Model, Timing
+from springback.simulation.flight import memory_at_start
+from springback.simulation.measuring.record import Model, Timing
 from springback.simulation.thrusts import ThrustTable
+from springback.vehicle.hulls import HullSettings
+from springback.vehicle.mass.bounds import check_inertia
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import Airframe, BodyState, State, build_airframe
 
@@ -68,9 +70,8 @@ Moments = tuple[tuple[float, ...], ...]
 
 
 def hover_thrusts(vehicle: Vehicle, gravity: float) -> tuple[float, ...]:
-    """Weight of a vehicle, shared by all rotors [N]."""
-    count = vehicle.arm_count
-    return (vehicle.mass * gravity / count,) * count
+    """Weight of a vehicle, shared by all rotors that lift [N]."""
+    return vehicle.hover_thrusts(vehicle.mass * gravity)
 
 
 def thrusts_of(
@@ -84,7 +85,7 @@ def thrusts_of(
         thrust: As given: one for all, a list, ``"hover"``, or a table, whose first row is taken.
         is_piloted: True for a pilot, which starts at the hover thrust.
     """
-    count = vehicle.arm_count
+    count = vehicle.rotor_count
     if isinstance(thrust, ThrustSettings):
         _check_table(vehicle, thrust)
         return thrust.values[0]
@@ -99,7 +100,7 @@ def thrusts_of(
 
 def _check_table(vehicle: Vehicle, thrust: ThrustSettings) -> None:
     """Reject rows of another number of rotors, and thrusts that the rotors cannot give."""
-    count, propulsion = vehicle.arm_count, vehicle.propulsion
+    count, propulsion = vehicle.rotor_count, vehicle.propulsion
     for k, row in enumerate(thrust.values):
         if len(row) != count:
             raise problem(f"has {len(row)} entries for {count} rotors", f"thrust.values[{k}]")
@@ -147,16 +148,37 @@ def masses_of(vehicle: Vehicle) -> Masses:
     return Masses(body.mass, arms, vehicle.mass, body.inertia, whole)
 
 
+def check_payload(vehicle: Vehicle, load: Payload) -> None:
+    """Reject moments that no payload of its mass has on a vehicle of that size.
+
+    Raises:
+        The problem of its inertia, with the allowed range; a point mass has none, and is possible.
+    """
+    a, b, c = load.inertia
+    if a == 0.0 and b == 0.0 and c == 0.0:
+        return
+    if not load.mass > 0.0:
+        raise problem(
+            f"must be 0 kg m^2 each of a payload without mass (got {[a, b, c]} kg m^2)",
+            "payload.inertia",
+        )
+    with naming("payload"):
+        rows = ((a, 0.0, 0.0), (0.0, b, 0.0), (0.0, 0.0, c))
+        check_inertia(load.mass, rows, vehicle.reach())
+
+
 def true_body(
     vehicle: Vehicle, error: ModelError, load: Payload, build: Build = plain_build
 ) -> TrueBody | None:
     """True main body, with model errors and payload; None if it is the nominal one.
 
     Raises:
-        The problem of an error that leaves nothing to the main body besides the arms.
+        The problem of an error that leaves nothing to the main body besides the arms, or of a
+        payload that cannot be.
     """
     if error.mass == 1.0 and error.inertia == 1.0 and load == Payload():
         return None
+    check_payload(vehicle, load)
     believed = build(masses_of, vehicle)
     mass = believed.body + (error.mass - 1.0) * believed.whole
     inertia = np.array(believed.body_inertia)
@@ -203,28 +225,29 @@ def true_airframe(
         return airframe
     inertia = Mat3(*(Vec(*row) for row in body.inertia))
     mass = body.mass + build(masses_of, vehicle).arms
-    return build_airframe(mass, inertia, airframe.arms, airframe.hull)
+    a = airframe
+    return build_airframe(mass, inertia, a.arms, a.hull, a.neighbours, a.rotors)
 
 
 # -- the rest -------------------------------------------------------------------------------------
 
 
 def world_numbers(
-    world: WorldSettings, own: Sequence[Own] = (), *, for_hulls: bool = False
+    world: WorldSettings, own: Sequence[Own] = (), *, hulls: Sequence[HullSettings] = ()
 ) -> World:
     """Obstacles and gravity.
 
     Args:
         world: The settings.
         own: The user's own shapes, those that the world names, too.
-        for_hulls: True if hulls meet them that need a scene (`Vehicle.hulls`).
+        hulls: Of the vehicle, which need a scene (`Vehicle.hulls`).
     """
     entries = (entry for entry in world.obstacles if not isinstance(entry, UserShape))
     known = [(k, one) for k, entry in enumerate(entries) for one in single_obstacles([entry])]
     given, numbers = [one for _, one in known], [k for k, _ in known]
-    built = obstacles(given, own, as_scene=for_hulls, numbers=numbers)
-    if for_hulls:
-        built = with_hulls(built, RING_ROUNDING)
+    built = obstacles(given, own, as_scene=bool(hulls), numbers=numbers)
+    if hulls:
+        built = with_hulls(built, RING_ROUNDING, any(hull.remembers for hull in hulls))
     if isinstance(built, MovingScene):
         return World(flown_scene(built), Forces(0.0), world.gravity)
     impulsive = isinstance(built, SolidScene) or any(
@@ -255,7 +278,7 @@ def timing_of(simulation: SimulationSettings, model: ModelSettings, vehicle: Veh
         arm_tolerance=s.arm_tolerance,
         rate_tolerance=s.rate_tolerance,
         dwell=s.dwell,
-        hybrid=1.0 if model.arms == "hybrid" else 0.0,
+        hybrid=1.0 if model.arms == "hybrid" and not vehicle.has_shell else 0.0,
     )
 
 
@@ -281,13 +304,21 @@ def flight_model(
     """Model of a flight; ``own`` are the user's own shapes, with their surfaces."""
     s = scenario
     airframe = true_airframe(s.vehicle, s.model_error, s.payload, build)
-    world = world_numbers(s.world, own, for_hulls=bool(s.vehicle.hulls))
+    world = world_numbers(s.world, own, hulls=s.vehicle.hulls)
     thrust = build(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
     point, guide = contact_point_of(s.model), guide_of(s.model)
     timing = timing_of(s.simulation, s.model, s.vehicle)
     table = thrust_table(s.thrust)
     ramp = () if table is None else (table.stretches()[0].ramp,)
-    return Model(airframe, world, point, guide, s.air.air(), thrust, timing, ramp)
+    stops = s.vehicle.propulsion is not None and s.vehicle.propulsion.stop is not None
+    reaction: tuple[Any, ...] = () if not stops else (0.0,)
+    if stops and airframe.rotors:
+        reaction = ((0.0,) * len(thrust),)
+    return Model(
+        airframe, world, point, guide, s.air.air(), thrust, timing, ramp, reaction=reaction,
+        limits=build(Vehicle.load_limits, s.vehicle),
+        surface_effect=() if s.vehicle.propulsion is None else s.vehicle.propulsion.effect(),
+    )  # fmt: skip
 
 
 # -- the start ------------------------------------------------------------------------------------
@@ -306,7 +337,7 @@ def start_state(start: Start, vehicle: Vehicle, model: Model, build: Build = pla
         The problem, if there is a touch distance and the straight motion meets no obstacle.
     """
     state: State = build(_state_at_place, start, vehicle)
-    state = state._replace(bodies=bodies_at_start(model.world), bristles=bristles_at_start(model))
+    state = state._replace(bodies=bodies_at_start(model.world), memory=memory_at_start(model))
     if start.touch_distance is None:
         return state
     moved = build(way_to_touch, model, state) - start.touch_distance
@@ -321,7 +352,7 @@ def bodies_at_start(world: World) -> tuple[BodyState, ...]:
 
 def _state_at_place(start: Start, vehicle: Vehicle) -> State:
     """State at `Start.place`."""
-    s, lengths = start, vehicle.lengths()
+    s, lengths = start, vehicle.lengths(start.compression)
     velocity, spin, rates = Vec(*s.velocity), Vec(*s.angular_velocity), (0.0,) * len(lengths)
     return State(s.place(), s.attitude(), velocity, spin, lengths, rates)
 

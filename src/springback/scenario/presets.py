@@ -15,9 +15,12 @@ from springback.errors import InputError, shown_value, within
 from springback.problems import nearest_name
 from springback.quantities import Unit
 from springback.scenario.code_files import with_absolute_names
+from springback.scenario.masses.models import with_mass_of_model
 from springback.scenario.source_text import source_text, toml_tables
 from springback.scenario.worlds.imported import read_import
 from springback.sensing.library import ESTIMATORS
+from springback.vehicle.arms.settings import OF_SLIDES
+from springback.vehicle.force_laws import REMEMBERING
 from springback.vehicle.library import VEHICLES
 
 #: A surface of the user's own.
@@ -87,6 +90,7 @@ def read_vehicle(path: str | Path, named_by: tuple[Path, ...] = ()) -> dict[str,
     if not isinstance(table, Mapping):
         raise InputError(f"{path}: vehicle: must be a table (got {shown_value(found)})")
     word, named = table.get("preset"), {"name": table.get("name", Path(path).stem)}
+    table = with_absolute_names({"vehicle": table}, Path(path).parent)["vehicle"]
     if not is_vehicle_file(word):
         return {**vehicle_table(table), **named}
     further, here = Path(path).parent / str(word), (*named_by, Path(path).resolve())
@@ -95,17 +99,42 @@ def read_vehicle(path: str | Path, named_by: tuple[Path, ...] = ()) -> dict[str,
             f"{path}: vehicle.preset: must not name a file that names this one, {word}"
         )
     changes = {key: value for key, value in table.items() if key != "preset"}
-    return {**merge(read_vehicle(further, here), changes), **named}
+    return {**_changed_vehicle(read_vehicle(further, here), changes), **named}
 
 
 def vehicle_table(given: Any) -> Any:
-    """A raw vehicle, its preset or file replaced by its values."""
+    """A raw vehicle, its preset or files replaced by their values."""
     word = given.get("preset") if isinstance(given, Mapping) else given
     if word is not None and is_vehicle_file(word):
         own = {} if isinstance(given, str) else {k: v for k, v in given.items() if k != "preset"}
-        return merge(read_vehicle(word), own)
+        return _changed_vehicle(read_vehicle(word), own)
     found = _preset_of(given, "vehicle", VEHICLES)
-    return given if found is None else merge(found[0].vehicle.model_dump(), found[1])
+    if found is None:
+        return _with_model(given)
+    base, own = found[0].vehicle.model_dump(), found[1]
+    arms = own.get("arms")
+    has_joint = isinstance(arms, Mapping) and arms.get("joint") is not None
+    if has_joint and base["arms"]["joint"] is None:
+        base["arms"] = {k: v for k, v in base["arms"].items() if k not in OF_SLIDES}
+    return _changed_vehicle(base, own)
+
+
+def _changed_vehicle(base: dict[str, Any], own: Mapping[str, Any]) -> Any:
+    """A raw vehicle with changes; parts, a model or other links of it replace its main body."""
+    body, model = own.get("body"), None
+    if isinstance(body, Mapping) and any(body.get(key) for key in ("parts", "model", "links")):
+        if isinstance(base.get("body"), Mapping) and "parts" not in body:
+            model = base["body"].get("model")
+        base = {**base, "body": {"model": model} if model else {}}
+    return _with_model(merge(base, own))
+
+
+def _with_model(table: Any) -> Any:
+    """A raw vehicle whose main body has the mass of its model, if it names one."""
+    if not isinstance(table, Mapping) or not isinstance(table.get("body"), Mapping):
+        return table
+    with within("body"):
+        return {**table, "body": with_mass_of_model(table["body"])}
 
 
 def surface_table(given: Any) -> Any:
@@ -117,6 +146,8 @@ def surface_table(given: Any) -> Any:
     if "dissipation" in own or own.get("law", "hunt-crossley") not in ("hunt-crossley", "impulse"):
         base.pop("restitution", None)
         base.pop("restitution_speed", None)
+    if own.get("law") in REMEMBERING:
+        base.pop("dissipation", None)
     if "restitution" in own and "restitution_speed" not in own:
         base.pop("restitution_speed", None)
     return merge(base, own)
@@ -155,13 +186,28 @@ def obstacle_table(entry: Any) -> Any:
 def with_contents(given: Mapping[str, Any]) -> dict[str, Any]:
     """Raw tables of a scenario in which the files of obstacles are named with their content.
 
-    A file that is changed later is then noticed.  One that cannot be read is left as it is, for the
-    check of the scenario.
+    A file that is changed later is then noticed; models of vehicles are replaced by their mass.
+    One that cannot be read is left as it is, for the check of the scenario.
     """
+    given = _with_mass(given)
+    if isinstance(given.get("second"), Mapping):
+        given = {**given, "second": _with_mass(given["second"])}
     world = given.get("world")
     if not isinstance(world, Mapping) or not isinstance(world.get("obstacles"), list | tuple):
         return dict(given)
     return {**given, "world": {**world, "obstacles": [*map(_with_content, world["obstacles"])]}}
+
+
+def _with_mass(tables: Mapping[str, Any]) -> Mapping[str, Any]:
+    """Raw tables of a vehicle, with the mass of the model that its main body names."""
+    vehicle = tables.get("vehicle")
+    if not isinstance(vehicle, Mapping) or "body" not in vehicle:
+        return tables
+    try:
+        body = with_mass_of_model(vehicle["body"])
+    except InputError:
+        return tables
+    return {**tables, "vehicle": {**vehicle, "body": body}}
 
 
 def _with_content(entry: Any) -> Any:

@@ -35,7 +35,7 @@ from springback.scenario.presets import preset as preset
 from springback.scenario.tables import ScenarioTables, SecondVehicle
 from springback.scenario.worlds.imported import single_obstacles
 from springback.settings import Settings, problem
-from springback.simulation.record import Model
+from springback.simulation.measuring.record import Model
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import Airframe, State
 

@@ -7,6 +7,7 @@ it is used.
 from __future__ import annotations
 
 import json
+import re
 import stat
 import tomllib
 from collections.abc import Callable
@@ -19,6 +20,9 @@ from springback.errors import InputError
 MOST_BYTES = 8_000_000
 #: Maximum nesting of tables and lists (chosen: a scenario has five).
 MOST_DEPTH = 32
+
+#: Place of an error, as parsers of TOML and JSON word it.
+_AT = re.compile(r"\(?(at )?line (?P<line>\d+),? column (?P<column>\d+).*")
 
 
 def source_text(path: Path) -> str:
@@ -83,7 +87,12 @@ def _parse(parse: Callable[[str], Any], language: str, text: str, name: str) -> 
     except RecursionError:
         raise InputError(f"{name}: {_too_deep()}") from None
     except ValueError as error:  # a syntax error, an integer of thousands of digits, a wrong date
-        raise InputError(f"{name}: is not {language}: {str(error).partition(';')[0]}") from None
+        said = str(error).partition(";")[0]
+        at = _AT.search(said)
+        if at is None:
+            raise InputError(f"{name}: is not {language}: {said}") from None
+        what = f"{said[: at.start()].rstrip(' :')}, column {at['column']}"
+        raise InputError(f"{name}:{at['line']}: is not {language}: {what}") from None
     if isinstance(found, dict):
         check_depth(found, name)
     return found

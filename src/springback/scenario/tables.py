@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import BeforeValidator, ConfigDict, Field, PlainValidator, model_validator
 
@@ -18,7 +18,7 @@ from springback.errors import shown_value
 from springback.frames import attitude_from_euler, euler_from_attitude
 from springback.kernels.tracing import sqrt  # for batch set-up
 from springback.kernels.vectors import Quat, Vec
-from springback.quantities import Angle, Duration, Quadruple, Triple, Unit, si_number
+from springback.quantities import Angle, Duration, PerArm, Quadruple, Triple, Unit, si_number
 from springback.recovery.parameters import RecoverySettings
 from springback.scenario.worlds.imported import Imported, single_obstacles
 from springback.sensing.estimation import EstimatorSettings
@@ -89,6 +89,8 @@ class Start(Settings):
     It is normalised; its length must be 1 to within 1e-4, the rounding of four decimals.
     """
     angular_velocity: Annotated[Triple, Unit("rad/s")] = (0.0, 0.0, 0.0)
+    compression: Annotated[PerArm, Unit("m")] = 0.0
+    """Of the arms, along the paths of their ends; one for all, or one for each."""
     touch_distance: Annotated[float, Unit("m", least=0.0)] | None = None
     """Distance from the start to the first touch, along ``velocity``; 0: it begins in touch.
 
@@ -149,7 +151,8 @@ class Payload(Settings):
 
     mass: Annotated[float, Unit("kg", least=0.0)] = 0.0
     inertia: Annotated[Triple, Unit("kg m^2")] = (0.0, 0.0, 0.0)
-    """Its own moments about its centre of mass, body axes; zero for a point mass."""
+    """Its own moments about its centre of mass, body axes; zero for a point mass, else those that a
+    body of its mass can have within three times the reach of the vehicle."""
     position: Annotated[Triple, Unit("m")] = (0.0, 0.0, 0.0)
     """Its centre of mass in body axes; only the main body's centre of mass is possible."""
 
@@ -287,6 +290,12 @@ class VehicleTables(Settings):
     payload: Payload = Payload()
     model_error: ModelError = ModelError()
     model: ModelSettings = ModelSettings()
+
+    @model_validator(mode="after")
+    def _gains_by_mass(self) -> Self:
+        """The gains of a light vehicle where none are given: its own, and stored with the rest."""
+        object.__setattr__(self, "control", self.control.for_mass(self.vehicle.mass))
+        return self
 
     @property
     def code(self) -> list[tuple[str, str]]:

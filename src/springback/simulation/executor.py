@@ -13,23 +13,17 @@ from typing import Any, NamedTuple
 
 from springback.contact.cage import moving_bodies
 from springback.contact.hull_contact import arm_flags, hull_flags
+from springback.contact.laws.memory import arm_memory, hull_memory, memory_after
 from springback.contact.obstacles import Forces, Impulses, World
 from springback.dynamics.crossing import NO_CROSSING, Crossing
 from springback.dynamics.energy import energy, locked_state
 from springback.dynamics.impulse import apply_impulses
-from springback.dynamics.motion import (
-    ArmView,
-    Engaged,
-    HullView,
-    Motion,
-    Rates,
-    View,
-    rates,
-    rates_while,
-)
+from springback.dynamics.limbs.arms import ArmView
+from springback.dynamics.limbs.locked import RigidRates, RigidState
+from springback.dynamics.limbs.shell import or_turns
+from springback.dynamics.motion import Engaged, HullView, Motion, Rates, View, rates, rates_while
 from springback.dynamics.obstacle_views import NO_VIEW, BodyView
-from springback.dynamics.rigid import RigidRates, RigidState, rigid_step
-from springback.dynamics.touches import let_go
+from springback.dynamics.rigid import rigid_step
 from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
 from springback.kernels.layout import Buffer, TreeLayout, read, row_of, rows, write
 from springback.kernels.trees import (
@@ -54,19 +48,18 @@ from springback.simulation.lanes import (
     stash,
     unstash,
 )
-from springback.simulation.record import (
+from springback.simulation.measuring.limits import cruise_record_with_loads, record_with_loads
+from springback.simulation.measuring.record import (
     APPLY_IMPULSE,
     FLYING,
     NOT_FINITE,
     NOTHING,
     Model,
     clearance_check,
-    record_after,
-    record_after_cruise,
     search_of,
 )
 from springback.simulation.thrusts import body_at, model_at, ramped_step
-from springback.vehicle.state import Airframe, Arm, BodyState, State
+from springback.vehicle.state import Airframe, Arm, BodyState, PartMemory, State, compression_of
 
 #: A flight has diverged if the sum of squares of its coordinates and speeds is more than this.
 DIVERGED = 1e12
@@ -132,9 +125,9 @@ def begin_step(shape: TreeLayout, b: Buffer, w: int) -> None:
         looks = 1.0 if w == 1 else search.looks  # a single flight logs true gaps
         known = rates_of(now, motion.state, record.stepping.phase, looks)
         seen = known.seen
-        write(record_after(model, motion, seen, record, search), b, at.record, w, i)
-        held = let_go(motion.state.bristles, seen.arms, seen.hull)
-        write(held, b, at.motion + row_of(shape.motion.state, "bristles"), w, i)
+        write(record_with_loads(model, motion, known, record, search), b, at.record, w, i)
+        memory = memory_after(motion.state.memory, seen.arms, seen.hull)
+        write(memory, b, at.motion + row_of(shape.motion.state, "memory"), w, i)
         write(known.motion.state, b, at.rate, w, i)
         write(known.motion, b, at.total, w, i)
         if w == 1:  # only a single flight is logged
@@ -142,9 +135,10 @@ def begin_step(shape: TreeLayout, b: Buffer, w: int) -> None:
 
 
 @kernel
-def hull_touches(shape: TreeLayout, b: Buffer, w: int) -> bool:
-    """True if the hull of any lane touches an obstacle in this step."""
-    at, found, engaged = places(shape, w), 0.0, shape.record.contacts.engaged
+def hull_acts(shape: TreeLayout, b: Buffer, w: int) -> bool:
+    """True if the hull of any lane touches an obstacle in this step, or is a shell that turns."""
+    at, engaged = places(shape, w), shape.record.contacts.engaged
+    found = fold(or_turns, 0.0, read(shape.model, b, 0, w, 0).airframe.hull, ())
     first = at.engaged + rows(engaged.arms)
     for k in range(first * w, (first + rows(engaged.hull)) * w):
         found += b[k]
@@ -160,8 +154,8 @@ def _without_hull(model: Model) -> Model:
 def add_stage(shape: TreeLayout, b: Buffer, w: int, reach: float, weight: float) -> None:
     """Add a Runge–Kutta stage of each lane."""
     at, contacts = places(shape, w), shape.record.contacts
-    # Mostly no hull touches: its forces, all zero, are then left out.
-    if hull_touches(shape, b, w):
+    # Mostly no hull acts: its forces, all zero, are then left out.
+    if hull_acts(shape, b, w):
         for i in range(w):
             model = stage_model(shape, b, w, i, reach)
             state = stage_state(shape, b, w, i, reach)
@@ -223,18 +217,18 @@ def motion_of_body(motion: Motion, x: RigidState) -> Motion:
 
 
 @kernel
-def _far_arm(arm: Arm, length: float, room: float, obstacles: Any) -> ArmView:
+def _far_arm(arm: Arm, length: float, memory: PartMemory, room: float, obstacles: Any) -> ArmView:
     none, apart = Vec(0.0, 0.0, 0.0), arm_flags(arm, obstacles, 0.0)
-    pressed = arm.length - length
+    never, compression = Crossing(NO_CROSSING, 1.0), compression_of(arm, length)
     return ArmView(
-        room, 0.0, 0.0, none, pressed, 0.0, Crossing(NO_CROSSING, 1.0), apart, 0.0, 0.0, 0.0
+        room, 0.0, 0.0, none, compression, 0.0, never, apart, 0.0, 0.0, 0.0, memory.pressed
     )
 
 
 @kernel
-def _far_hull(hull: Any, room: float, obstacles: Any) -> HullView:
+def _far_hull(hull: Any, memory: PartMemory, room: float, obstacles: Any) -> HullView:
     none, apart = Vec(0.0, 0.0, 0.0), hull_flags(hull, obstacles, 0.0)
-    return HullView(room, 0.0, 0.0, none, Crossing(NO_CROSSING, 1.0), apart, 0.0)
+    return HullView(room, 0.0, 0.0, none, Crossing(NO_CROSSING, 1.0), apart, 0.0, memory.pressed)
 
 
 @kernel
@@ -244,15 +238,13 @@ def _far_body(body: Any) -> BodyView:
 
 @kernel
 def cruise_view(
-    airframe: Airframe,
-    world: World,
-    lengths: tuple[float, ...],
-    known: RigidRates,
-    room: float,
+    airframe: Airframe, world: World, state: State, known: RigidRates, room: float
 ) -> View:
     """View of a vehicle as one rigid body: nothing touches, no arm moves."""
-    arms = tree_map(_far_arm, (airframe.arms, lengths), (room, world.obstacles))
-    hull = tree_map(_far_hull, (airframe.hull,), (room, world.obstacles))
+    of_arms = arm_memory(state.memory, airframe.arms)
+    of_hull = hull_memory(state.memory, airframe.hull)
+    arms = tree_map(_far_arm, (airframe.arms, state.arm_length, of_arms), (room, world.obstacles))
+    hull = tree_map(_far_hull, (airframe.hull, of_hull), (room, world.obstacles))
     none, a, centre = Vec(0.0, 0.0, 0.0), known.flight.velocity, known.mass_centre_velocity
     bodies = tree_map(_far_body, (moving_bodies(world.obstacles),), ())
     return View(a, known.specific_force, centre, none, none, arms, hull, 0.0, 0.0, 0.0, 0.0, bodies)
@@ -303,11 +295,11 @@ def take_rigid_steps(shape: TreeLayout, b: Buffer, w: int) -> None:
         good = is_finite(new)
         goes = b[at.mark * w + i] == CRUISES
         write(select(goes & good, motion_of_body(motion, new), motion), b, at.motion, w, i)
-        after = record_after_cruise(model, x, known, record, good, h)
+        after = cruise_record_with_loads(model, x, known, record, good, h)
         write(select(goes, after, record), b, at.record, w, i)
         if w == 1:
             world, room = model.world, record.stepping.room
-            write(cruise_view(model.airframe, world, s.arm_length, known, room), b, at.seen, w, i)
+            write(cruise_view(model.airframe, world, s, known, room), b, at.seen, w, i)
 
 
 @kernel

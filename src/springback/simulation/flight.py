@@ -13,11 +13,14 @@ import numpy as np
 
 from springback.contact.cage import moving_bodies
 from springback.contact.hull_contact import arm_flags, hull_flags
+from springback.contact.laws.hysteresis import no_point
+from springback.contact.laws.memory import arm_memory, hull_memory
 from springback.contact.moving.scene import MovingScene
 from springback.contact.scene.faces import SolidScene
 from springback.dynamics.crossing import Crossing
 from springback.dynamics.energy import Energy, energy
-from springback.dynamics.motion import ArmView, Engaged, HullView, Motion, View, Work
+from springback.dynamics.limbs.arms import ArmView
+from springback.dynamics.motion import Engaged, HullView, Motion, View, Work
 from springback.dynamics.moving_obstacles import BodyWork
 from springback.dynamics.obstacle_views import NO_VIEW
 from springback.errors import InputError
@@ -28,9 +31,25 @@ from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation.executor import TrajectoryLog, advance, has_space
 from springback.simulation.lanes import Shape, buffer_rows, empty_groups, places
-from springback.simulation.record import FLYING, FREE_FLIGHT, IMPACT, Model, Record, blank_record
+from springback.simulation.measuring.record import (
+    FLYING,
+    FREE_FLIGHT,
+    IMPACT,
+    Model,
+    Record,
+    blank_record,
+)
 from springback.simulation.thrusts import ARRIVED, ThrustTable
-from springback.vehicle.state import Bristles, State, VehicleBristles
+from springback.vehicle.limits import initial_loads
+from springback.vehicle.placed.rotors import propellers_of
+from springback.vehicle.state import (
+    Bristles,
+    PartMemory,
+    PressedPoints,
+    Shell,
+    State,
+    VehicleMemory,
+)
 
 Executor = Literal["compiled", "python"]
 
@@ -100,14 +119,21 @@ def shape_of(model: Model, state: State) -> Shape:
         tuple(hull_flags(hull, obstacles, 0.0) for hull in model.airframe.hull),
         (0.0,) * bodies,
     )
+    of_arms = arm_memory(state.memory, model.airframe.arms)
+    of_hull = hull_memory(state.memory, model.airframe.hull)
     arms = tuple(
-        ArmView(0.0, 0.0, 0.0, zero, 0.0, 0.0, none, flags, 0.0, 0.0, 0.0) for flags in apart.arms
+        ArmView(0.0, 0.0, 0.0, zero, 0.0, 0.0, none, flags, 0.0, 0.0, 0.0, kept.pressed)
+        for flags, kept in zip(apart.arms, of_arms, strict=True)
     )
-    hulls = tuple(HullView(0.0, 0.0, 0.0, zero, none, flags, 0.0) for flags in apart.hull)
+    hulls = tuple(
+        HullView(0.0, 0.0, 0.0, zero, none, flags, 0.0, kept.pressed)
+        for flags, kept in zip(apart.hull, of_hull, strict=True)
+    )
     seen = arms, hulls, 0.0, 0.0, 0.0, 0.0, (NO_VIEW,) * bodies
     view = View(zero, zero, zero, zero, zero, *seen)
-    propellers = sum(len(arm.propeller) for arm in model.airframe.arms)
-    record = blank_record(apart, propellers)
+    propellers = propellers_of(model.airframe)
+    rotors = len(model.thrust) if model.reaction else 0
+    record = blank_record(apart, propellers, rotors)._replace(loads=initial_loads(model.limits))
     return Shape(model, Motion(state, work_of_bodies(bodies)), view, record)
 
 
@@ -121,17 +147,30 @@ def model_state(model: Model) -> State:
     """State of the structure that a model's flights have, at rest at the origin."""
     bodies = tuple(body.start for body in moving_bodies(model.world.obstacles))
     still = still_state([0.0] * len(model.airframe.arms))._replace(bodies=bodies)
-    return still._replace(bristles=bristles_at_start(model))
+    return still._replace(memory=memory_at_start(model))
 
 
-def bristles_at_start(model: Model) -> VehicleBristles | tuple[()]:
-    """Elastic slip of all parts of a vehicle that touches nothing; `()` if no surface has any."""
-    obstacles = model.world.obstacles
+def memory_at_start(model: Model) -> VehicleMemory | tuple[()]:
+    """Memory of a vehicle that has touched nothing; `()` if no surface has any, and no shell."""
+    obstacles, airframe = model.world.obstacles, model.airframe
     scene = obstacles.still if isinstance(obstacles, MovingScene) else obstacles
-    if not isinstance(scene, SolidScene) or scene.bristles == 0.0:
+    slips = isinstance(scene, SolidScene) and scene.bristles > 0.0
+    remembers = isinstance(scene, SolidScene) and scene.remembers > 0.0
+    turns = any(isinstance(hull, Shell) for hull in airframe.hull)
+    if not (slips or remembers or turns):
         return ()
-    none, airframe = Bristles(Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)), model.airframe
-    return VehicleBristles((none,) * len(airframe.arms), (none,) * len(airframe.hull))
+    none = Vec(0.0, 0.0, 0.0)
+    bristles = (Bristles(none, none),) if slips else ()
+
+    def part(faces: tuple[float, ...], hull: Any = None) -> PartMemory:
+        points = PressedPoints(0.0, (no_point(),) * len(faces))
+        spin = (none,) if isinstance(hull, Shell) else ()
+        return PartMemory(bristles, (points,) if remembers else (), spin)
+
+    return VehicleMemory(
+        tuple(part(arm_flags(arm, obstacles, 0.0)) for arm in airframe.arms),
+        tuple(part(hull_flags(hull, obstacles, 0.0), hull) for hull in airframe.hull),
+    )
 
 
 def flight_buffers(

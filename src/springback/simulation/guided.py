@@ -32,6 +32,7 @@ from springback.simulation.flight import (
     sources,
     trace_columns,
 )
+from springback.simulation.measuring.record import Model
 from springback.simulation.noise import (
     NoiseSource,
     NoiseStream,
@@ -52,7 +53,6 @@ from springback.simulation.onboard import (
     telemetry_of,
     user_pilot_memory,
 )
-from springback.simulation.record import Model
 from springback.simulation.ticks import (
     GUST_NOISE,
     FlightBuffers,
@@ -63,6 +63,7 @@ from springback.simulation.ticks import (
     layouts_of,
     sense_and_decide,
 )
+from springback.vehicle.rotor_stop import TURNING, NoStop
 from springback.vehicle.state import State
 
 #: Memory of an evaluator if there is none.
@@ -199,6 +200,7 @@ def avionics_at_start(
     pilot = user_pilot_memory(memory.pilot) if decides_alone(systems.pilot) else memory.pilot
     onboard = OnboardState(
         start, _UNREAD[kind], memory.sensors, pilot, model.thrust, model.thrust,
+        (TURNING,) * (0 if isinstance(systems.stop, NoStop) else len(model.thrust)),
         memory.evaluator, memory.weather,
     )  # fmt: skip
     return Avionics(systems, onboard)
@@ -298,7 +300,8 @@ def fly_guided(
                 memory = _call(pilot, avionics, mailbox, float(at[0]), memory)
                 if trace:  # the row of this tick was written before the pilot's call
                     telemetry[at[0], 1 : 1 + len(mailbox.command)] = mailbox.command
-                    telemetry[at[0], -len(mailbox.report) :] = mailbox.report
+                    first = len(head) - len(mailbox.report) - len(avionics.onboard.stopped)
+                    telemetry[at[0], first : first + len(mailbox.report)] = mailbox.report
         logs.append(log.trajectory.rows[: log.trajectory.used[0]])
         time_now = float(motion[0, record_row])
         check_instants(sum(map(len, logs)), time_now, duration)
@@ -353,6 +356,6 @@ def telemetry_head(avionics: Avionics) -> list[str]:
         "command": avionics.onboard.command, "thrust": avionics.onboard.thrust,
         "measurement": avionics.onboard.measurement,
         "pilot": telemetry_of(avionics.systems.pilot, own_memory(memory)),
-        "report": report_of(memory),
+        "report": report_of(memory), "stopped": avionics.onboard.stopped,
     }  # fmt: skip
     return ["time", *(name for stem, tree in parts.items() for name in names(tree, stem))]

@@ -16,7 +16,7 @@ from typing import NamedTuple
 from springback.dynamics.motion import Motion, View
 from springback.kernels.compiler import kernel
 from springback.kernels.layout import Buffer, TreeLayout, row_of, rows, zeros
-from springback.simulation.record import (
+from springback.simulation.measuring.record import (
     ARRIVED,
     CRUISING,
     FLYING,
@@ -50,7 +50,7 @@ class Places(NamedTuple):
     mark: int  # next action of each lane
     home: int  # of several lanes, the first lane of each flight, counted through the groups
     kept: int  # of several lanes, copy of motion and record during a full step
-    record: int  # it begins with `springback.simulation.record.Stepping`
+    record: int  # it begins with `springback.simulation.measuring.record.Stepping`
     step: int
     status: int
     phase: int

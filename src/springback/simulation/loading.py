@@ -15,8 +15,8 @@ from springback.kernels.layout import Buffer, row_of, rows, zeros
 from springback.kernels.trees import leaves
 from springback.simulation.flight import flight_column, shape_of
 from springback.simulation.lanes import Shape, empty_groups
+from springback.simulation.measuring.record import FLYING, Model
 from springback.simulation.onboard import Avionics
-from springback.simulation.record import FLYING, Model
 from springback.vehicle.state import State
 
 Leaves = tuple[Sequence[int], Buffer]

@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 from springback.kernels.compiler import compiler_rule, generic, kernel
 from springback.kernels.trees import select
 from springback.kernels.vectors import Vec
-from springback.simulation.record import Contacts
+from springback.simulation.measuring.record import Contacts
 from springback.vehicle.rotors import Lag, Rotors
 from springback.vehicle.state import State
 
@@ -221,6 +221,7 @@ class OnboardSystems(NamedTuple):
     pilot: Any
     rotors: Rotors
     lag: Lag  # of their thrust, over a tick
+    stop: Any  # NoStop or RotorStop
     evaluator: Any  # NoEvaluator, or a type registered with evaluator_step
     weather: Any  # NoGusts or Dryden
     mean_wind: Vec  # world [m/s]
@@ -236,6 +237,7 @@ class OnboardState(NamedTuple):
     pilot: Any  # its memory
     command: tuple[float, ...]  # to each rotor [N]
     thrust: tuple[float, ...]  # of each rotor at the tick [N]
+    stopped: tuple[float, ...]  # since when each stands; empty where hits do not stop them
     evaluator: Any  # its memory
     weather: Any  # its memory
 

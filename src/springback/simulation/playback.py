@@ -17,30 +17,31 @@ import scipy  # submodules are loaded on first use
 from springback.contact.cage import (
     BodyMotion,
     ContactFace,
-    body_motion,
     moving_bodies,
-    obstacles_in_body_frame,
-    obstacles_now,
 )
 from springback.contact.hull_contact import (
+    BodySight,
     arm_faces,
     arm_flags,
+    arm_sight,
+    body_sight,
     hull_contact,
     hull_faces,
     hull_flags,
 )
+from springback.contact.laws.memory import arm_memory, hull_memory
 from springback.contact.loads import CageContact, face_contact
 from springback.contact.moving.bodies import ABSENT, GIVEN, MovingBody
 from springback.contact.obstacles import World
 from springback.dynamics.energy import Energy, energy
-from springback.dynamics.touches import arm_bristles, hull_bristles
+from springback.dynamics.limbs.shell import hull_motion
 from springback.kernels.compiler import executor, kernel, user_executor
 from springback.kernels.layout import Buffer, TreeLayout, read, write
 from springback.kernels.trees import leaves, tree_map
 from springback.kernels.vectors import Vec
 from springback.simulation.flight import model_state, own_types, sources
-from springback.simulation.record import Model
-from springback.vehicle.state import Airframe, Arm, Bristles, State, arm_pose
+from springback.simulation.measuring.record import Model
+from springback.vehicle.state import Airframe, PartMemory, State
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Places = np.ndarray[Any, np.dtype[np.intp]]
@@ -75,17 +76,13 @@ class Evaluation(NamedTuple):
 
 
 @kernel
-def _cage_load(
-    face: ContactFace, bristles: tuple[Bristles, ...], arm: Any, body: BodyMotion
-) -> FaceLoad:
-    return _in_world(face_contact(face, 1.0, bristles, arm, body), body)
+def _cage_load(face: ContactFace, memory: PartMemory, arm: Any, body: BodyMotion) -> FaceLoad:
+    return _in_world(face_contact(face, 1.0, memory, arm, body), body)
 
 
 @kernel
-def _hull_load(
-    face: ContactFace, bristles: tuple[Bristles, ...], hull: Any, body: BodyMotion
-) -> FaceLoad:
-    return _in_world(hull_contact(face, 1.0, bristles, hull, body), body)
+def _hull_load(face: ContactFace, memory: PartMemory, hull: Any, body: BodyMotion) -> FaceLoad:
+    return _in_world(hull_contact(face, 1.0, memory, hull, body), body)
 
 
 @kernel
@@ -98,38 +95,37 @@ def _in_world(met: CageContact, body: BodyMotion) -> FaceLoad:
 
 @kernel
 def _arm_loads(
-    arm: Arm,
+    arm: Any,
     length: float,
     rate: float,
-    bristles: tuple[Bristles, ...],
-    obstacles: Any,
+    memory: PartMemory,
     contact_point: Any,
-    body: BodyMotion,
+    around: BodySight,
 ) -> tuple[FaceLoad, ...]:
-    pose = arm_pose(arm, length, rate, body.velocity)
+    pose, obstacles, body = arm_sight(arm, length, rate, around)
     faces = arm_faces(arm, obstacles, contact_point, pose, 1.0)
-    return tree_map(_cage_load, (faces,), (bristles, pose, body))
+    return tree_map(_cage_load, (faces,), (memory, pose, body))
 
 
 @kernel
 def _hull_loads(
-    hull: Any, bristles: tuple[Bristles, ...], obstacles: Any, body: BodyMotion
+    hull: Any, memory: PartMemory, obstacles: Any, body: BodyMotion
 ) -> tuple[FaceLoad, ...]:
-    return tree_map(_hull_load, (hull_faces(hull, obstacles, 1.0),), (bristles, hull, body))
+    there = hull_motion(hull, memory, body)
+    return tree_map(_hull_load, (hull_faces(hull, obstacles, 1.0),), (memory, hull, there))
 
 
 @kernel
 def _evaluate(at: Instant) -> Evaluation:
     state = at.state
-    body = body_motion(state, 0.0)
-    there = obstacles_now(at.world.obstacles, state.bodies)
-    obstacles = obstacles_in_body_frame(there, state.position, body.r)
-    on_arms = arm_bristles(state.bristles, at.airframe.arms)
-    on_hull = hull_bristles(state.bristles, at.airframe.hull)
+    around = body_sight(at.world.obstacles, state, 0.0)
+    obstacles, body = around.obstacles, around.body
+    on_arms = arm_memory(state.memory, at.airframe.arms)
+    on_hull = hull_memory(state.memory, at.airframe.hull)
     arms = tree_map(
         _arm_loads,
         (at.airframe.arms, state.arm_length, state.arm_rate, on_arms),
-        (obstacles, at.contact_point, body),
+        (at.contact_point, around),
     )
     parts = arms + tree_map(_hull_loads, (at.airframe.hull, on_hull), (obstacles, body))
     return Evaluation(parts, energy(at.airframe, at.world, at.contact_point, state))
@@ -176,26 +172,43 @@ def states_at(model: Model, columns: Mapping[str, Array], places: Places | slice
     states = np.stack([columns[name][places] for name in names], axis=1)
     bodies = moving_bodies(model.world.obstacles)
     moving = [_body_states(body, columns, places, len(states)) for body in bodies]
-    held = [] if model_state(model).bristles == () else [_bristles(model, columns, places)]
+    kept = memory_columns(model_state(model).memory)
+    held = [np.stack([columns[name][places] for name in kept], axis=1)] if kept else []
     return np.concatenate([states, *moving, *held], axis=1)
 
 
-def _bristles(model: Model, columns: Mapping[str, Array], places: Places | slice) -> Array:
-    """Leaves of `springback.vehicle.state.VehicleBristles`, one row for each instant."""
-    parts = bristle_columns(len(model.airframe.arms), len(model.airframe.hull))
-    return np.stack([columns[name][places] for name in parts], axis=1)
+def memory_columns(memory: Any) -> dict[str, tuple[str, str]]:
+    """Columns of a trajectory for the memory of all parts, leaf by leaf.
 
+    Args:
+        memory: Of a state; `()` has none.
 
-def bristle_columns(arms: int, hulls: int) -> dict[str, tuple[str, str]]:
-    """Columns of a trajectory for the elastic slip of all parts: names in the trace, and units."""
-    parts = [(f"{j}", f"arms.{j}") for j in range(1, arms + 1)]
-    parts += [("_body", f"hull.{k}") for k in range(1, hulls + 1)]
-    return {
-        f"{stem}{part}_{axis}": (f"state.bristles.{source}.{kind}.{axis}", unit)
-        for part, source in parts
-        for stem, kind, unit in (("stick", "slip", "m"), ("roll", "roll", "rad"))
-        for axis in "xyz"
-    }
+    Returns:
+        Names in the trace, and units, by the name of the column.
+    """
+    if memory == ():
+        return {}
+    parts = [(f"{j}", f"arms.{j}", part) for j, part in enumerate(memory.arms, start=1)]
+    parts += [("_body", f"hull.{k}", part) for k, part in enumerate(memory.hull, start=1)]
+    found: dict[str, tuple[str, str]] = {}
+    for part, source, kept in parts:
+        stem = f"state.memory.{source}"
+        for name, kind, unit in (("stick", "slip", "m"), ("roll", "roll", "rad")):
+            for axis in "xyz" if kept.bristles else "":
+                found[f"{name}{part}_{axis}"] = (f"{stem}.bristles.1.{kind}.{axis}", unit)
+        for axis in "xyz" if kept.spin else "":
+            found[f"shell_w{axis}"] = (f"{stem}.spin.1.{axis}", "rad/s")
+        for pressed in kept.pressed:
+            found[f"crushed{part}"] = (f"{stem}.pressed.1.crushed", "m")
+            for k in range(1, len(pressed.points) + 1):
+                at, point = f"{stem}.pressed.1.points.{k}", f"{part}_{k}"
+                for axis in "xyz":
+                    found[f"pressed{point}_{axis}"] = (f"{at}.place.{axis}", "m")
+                for axis in "xyz":
+                    found[f"pressed{point}_n{axis}"] = (f"{at}.inward.{axis}", "1")
+                found[f"pressed{point}_depth"] = (f"{at}.depth", "m")
+                found[f"pressed{point}_crushed"] = (f"{at}.crushed", "m")
+    return found
 
 
 def _body_states(

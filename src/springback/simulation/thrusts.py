@@ -1,9 +1,9 @@
 """Thrusts over time in a flight without a pilot: a table of instants, linear in between.
 
 The loop over steps knows one stretch between two instants, its thrusts and their slopes: a member
-of `springback.simulation.record.Model` that is empty for constant thrusts.  A flight is flown
-stretch by stretch.  A step ends at each instant, so that no Runge–Kutta step has a kink within it,
-and the method keeps its order.
+of `springback.simulation.measuring.record.Model` that is empty for constant thrusts.  A flight is
+flown stretch by stretch.  A step ends at each instant, so that no Runge–Kutta step has a kink
+within it, and the method keeps its order.
 """
 
 from __future__ import annotations
@@ -14,7 +14,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.dynamics.rigid import OneBody, RigidState, RigidStep, driven_step, rigid_body
+from springback.dynamics.limbs.locked import OneBody, RigidState, rigid_body
+from springback.dynamics.rigid import RigidStep, driven_step
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import axpy, fold, replace
 
@@ -51,7 +52,8 @@ def body_at(model: Any, lengths: tuple[float, ...], time: float) -> OneBody:
         lengths: Of the arms [m].
         time: The instant [s].
     """
-    body: OneBody = rigid_body(model.airframe, lengths, model_at(model, time).thrust)
+    thrust = model_at(model, time).thrust
+    body: OneBody = rigid_body(model.airframe, lengths, thrust, model.reaction)
     return body
 
 

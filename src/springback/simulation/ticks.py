@@ -28,9 +28,17 @@ from springback.kernels.layout import (
     store,
     write,
 )
-from springback.kernels.trees import leaves, select, square
+from springback.kernels.trees import (
+    field_of,
+    leaves,
+    maximum,
+    select,
+    square,
+    tree_map,
+)
 from springback.simulation.executor import TrajectoryLog
 from springback.simulation.lanes import places
+from springback.simulation.measuring.record import FINISHED, FLYING, NOT_FINITE, Contacts
 from springback.simulation.onboard import (
     NoEvaluator,
     PilotOutput,
@@ -45,7 +53,17 @@ from springback.simulation.onboard import (
     sensor_step,
     telemetry_of,
 )
-from springback.simulation.record import FINISHED, FLYING, NOT_FINITE, Contacts
+from springback.vehicle.rotor_stop import (
+    Hits,
+    NoStop,
+    RotorStop,
+    forgotten,
+    is_hit,
+    is_stopped,
+    reactions_of,
+    rotor_step,
+    stopped_since,
+)
 from springback.vehicle.rotors import lagged_thrusts
 from springback.vehicle.state import State
 
@@ -268,6 +286,58 @@ def _evaluate_nothing(evaluator: TreeLayout, group: Group) -> None:
     return
 
 
+@generic
+def turn_rotors(stop: TreeLayout, group: Group) -> None:
+    """Turn the rotors of all lanes over a tick, after the pilots: they follow their commands.
+
+    Args:
+        stop: Layout of what stops them, on whose type it dispatches.
+        group: Thrust in the memory of the avionics and in the model of the motion is changed.
+    """
+    raise TypeError(f"{type(stop).__name__} stops no rotor; register turn_rotors for it")
+
+
+@turn_rotors.register(NoStop)
+@kernel
+def _turn_on(stop: TreeLayout, group: Group) -> None:
+    avionics, g, w, once, _ = group.lanes
+    settings, memory = avionics.systems, avionics.onboard
+    for i in range(w * once):
+        thrust, command = load(memory.thrust, g, w, i), load(memory.command, g, w, i)
+        rotors, lag = load(settings.rotors, g, w, i), load(settings.lag, g, w, i)
+        spun = lagged_thrusts(rotors, thrust, command, lag)
+        store(spun.thrust, memory.thrust, g, w, i)
+        store(spun.mean, group.shape.model.thrust, group.motion, w, i)
+
+
+@turn_rotors.register(RotorStop)
+@kernel
+def _turn_until_hit(stop: TreeLayout, group: Group) -> None:
+    avionics, g, w, _, tick = group.lanes
+    settings, memory, b, shape = avionics.systems, avionics.onboard, group.motion, group.shape
+    row = places(shape, w).record + row_of(shape.record, "hits")
+    for i in range(w):
+        thrust, command = load(memory.thrust, g, w, i), load(memory.command, g, w, i)
+        rotors, lag, limits = (
+            load(settings.rotors, g, w, i), load(settings.lag, g, w, i), load(stop, g, w, i),
+        )  # fmt: skip
+        now, seen = tick * limits.period, read(shape.record.hits, b, row, w, i).rotors
+        any_hit = maximum(tree_map(is_hit, (seen,), (limits,)))
+        since = tree_map(
+            stopped_since, (load(memory.stopped, g, w, i), seen), (any_hit, limits, now)
+        )
+        stopped = tree_map(is_stopped, (since,), (now,))
+        spun = tree_map(rotor_step, (thrust, command, stopped), (rotors, lag, limits))
+        after = field_of(spun, "thrust")
+        craft = load(shape.model.airframe, b, w, i)
+        store(since, memory.stopped, g, w, i)
+        store(after, memory.thrust, g, w, i)
+        store(field_of(spun, "mean"), shape.model.thrust, b, w, i)
+        turning = reactions_of(craft.rotors, craft.arms, thrust, after, limits)
+        store(turning, shape.model.reaction, b, w, i)
+        write(Hits(tree_map(forgotten, (seen, stopped), (now,))), b, row, w, i)
+
+
 @guard
 def _status_after(thrust: tuple[float, ...], status: float) -> float:
     """Status of a flight after a command: `NOT_FINITE` if the command is."""
@@ -278,7 +348,8 @@ def _status_after(thrust: tuple[float, ...], status: float) -> float:
 def write_telemetry(lanes: Lanes, row: Buffer) -> None:
     """Write a row of the telemetry of a single flight.
 
-    Its columns are time, command, thrust, measurement, the pilot's telemetry and its report.
+    Its columns are time, command, thrust, measurement, the pilot's telemetry, its report, and since
+    when each rotor stands, where hits stop them.
     """
     avionics, g, _, _, tick = lanes
     memory = avionics.onboard
@@ -291,7 +362,9 @@ def write_telemetry(lanes: Lanes, row: Buffer) -> None:
     remembered = load(memory.pilot, g, 1, 0)
     telemetry = telemetry_of(load(avionics.systems.pilot, g, 1, 0), own_memory(remembered))
     write(telemetry, row, 1 + 2 * n + measured, 1, 0)
-    write(report_of(remembered), row, 1 + 2 * n + measured + rows(telemetry), 1, 0)
+    report, after = report_of(remembered), 1 + 2 * n + measured + rows(telemetry)
+    write(report, row, after, 1, 0)
+    write(load(memory.stopped, g, 1, 0), row, after + rows(report), 1, 0)
 
 
 @executor(nogil=True)
@@ -349,14 +422,11 @@ def drive_rotors(
     g, b, shape = buffers.onboard, buffers.motion, layouts.shape
     settings, memory = layouts.avionics.systems, layouts.avionics.onboard
     model, row, first = shape.model, places(shape, w).status, rows(layouts.channels)
-    evaluate(settings.evaluator, Group(Lanes(layouts.avionics, g, w, once, now), shape, b))
+    group = Group(Lanes(layouts.avionics, g, w, once, now), shape, b)
+    evaluate(settings.evaluator, group)
+    turn_rotors(settings.stop, group)
     for i in range(w * once):
-        thrust, command = load(memory.thrust, g, w, i), load(memory.command, g, w, i)
         period = load(settings.period, g, w, i)
-        rotors, lag = load(settings.rotors, g, w, i), load(settings.lag, g, w, i)
-        spun = lagged_thrusts(rotors, thrust, command, lag)
-        store(spun.thrust, memory.thrust, g, w, i)
-        store(spun.mean, model.thrust, b, w, i)
         store(min((now + 1.0) * period, duration), model.timing.until, b, w, i)
         # A flight that reached this tick before its neighbours flies on.
         status = read(shape.record.stepping.status, b, row, w, i)

@@ -21,11 +21,13 @@ from springback.recovery.state_machine import LOOK
 from springback.results.flight import fly_built
 from springback.scenario.scenario import Scenario, scenario_from
 from springback.simulation.guided import GuidedFlown
+from springback.simulation.measuring.record import Model
 from springback.simulation.onboard import Avionics
-from springback.simulation.record import Model
 from springback.studies.roc import Array, FalseAlarms, RocPoint, TriggerSignal, curve, false_alarms
 from springback.studies.run_ups import ROBOTS, WALL_DISTANCE, StudyVehicle, study_vehicles
 from springback.studies.trials import Scatter, trial_tables
+from springback.vehicle.arms.paths import arm_path
+from springback.vehicle.state import Arm
 
 #: Speeds at contact [m/s]; the paper's are 2 and 3.5.
 SPEEDS = (0.25, 0.5, 1.0, 2.0, 3.5)
@@ -249,15 +251,16 @@ def true_contact_point(trace: Any, airframe: Any, row: int, normal: Array, arms:
     """
     r = _rotation_matrix(_vectors(trace, "state.attitude", "wxyz")[row])
     place = _vectors(trace, "state.position")[row]
-    flat = normal - (normal @ r[:, 2]) * r[:, 2]
-    rim = flat / np.linalg.norm(flat)
-    points = [
-        place
-        + trace[f"state.arm_length.{j + 1}"][row] * (r @ [arm.cosine, arm.sine, 0.0])
-        + arm.cage_radius * rim
-        for j, arm in enumerate(airframe.arms)
-        if arms[j]
-    ]
+    points = []
+    for j, arm in enumerate(airframe.arms):
+        if not arms[j]:
+            continue
+        length = trace[f"state.arm_length.{j + 1}"][row]
+        path = arm_path(arm, np.array([length]))
+        up = r @ path.turn[0, :, 2]
+        flat = normal - (normal @ up) * up
+        lever = length * (r @ path.direction[0]) if isinstance(arm, Arm) else r @ path.end[0]
+        points.append(place + lever + arm.cage_radius * (flat / np.linalg.norm(flat)))
     mean: Array = np.mean(points, axis=0)
     return mean
 

@@ -14,9 +14,9 @@ from springback.kernels.vectors import Vec
 from springback.results.flight import Flight
 from springback.scenario.presets import is_vehicle_file, read_vehicle
 from springback.scenario.scenario import scenario_from
+from springback.vehicle.arms.paths import free_end_along
 from springback.vehicle.hulls import hull_reach
 from springback.vehicle.parameters import Vehicle
-from springback.vehicle.state import arm_direction
 
 ROBOTS = ("arq", "quad")
 """Presets of the paper's robots."""
@@ -52,11 +52,11 @@ class StudyVehicle(NamedTuple):
         points = [
             float(arms.at("length", j)) * math.cos(float(direction) + yaw)
             + float(arms.at("cage_radius", j))
-            for j, direction in enumerate(arms.directions)
+            for j, direction in enumerate(arms.directions if arms.cages else ())
         ]
         points += [hull_reach(hull, ahead) for hull in airframe.hull]
         for arm in airframe.arms:
-            along = arm.length * (ahead @ arm_direction(arm))
+            along = free_end_along(arm, ahead)
             points += [along + hull_reach(hull, ahead) for hull in arm.hull]
         return max(points)
 

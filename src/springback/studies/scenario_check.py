@@ -18,9 +18,12 @@ from springback.scenario.tables import ScenarioTables
 from springback.scenario.warnings import scenario_warnings
 from springback.vehicle.endurance import hover_time
 from springback.vehicle.parameters import Arms, Vehicle
+from springback.vehicle.placed.balance import hover_balance
 
 #: Share of the thrust in hover above which little is left to manoeuvre (chosen).
 MOST_HOVER = 0.7
+#: Share of the weight that pushes sideways in hover, worth a warning (chosen: a lean of 1.1°).
+MOST_ASIDE = 0.02
 #: Share of a wall's force along an arm below which its spring hardly works (chosen).
 LEAST_ALONG = 0.5
 #: Distance between a wall and the one that a run-up is planned to, which is worth a warning
@@ -62,6 +65,8 @@ def derived_numbers(scenario: Scenario) -> list[ScenarioQuantity]:
             "speed into the wall", approach.speed, "m/s", "of the main body, at the start or as "
             "planned by a run-up",
         ))  # fmt: skip
+        if not scenario.vehicle.arms.is_planar:  # what the path of a joint takes is not told
+            return found
         found.append(ScenarioQuantity(
             "force along the foremost arm", approach.along, "",
             "share of the wall's normal force, cos θ − μ sin θ; "
@@ -83,7 +88,8 @@ def least_deceleration(scenario: ScenarioTables) -> float:
     no compliant arm meets a wall ahead.
     """
     approach = approach_to_wall(scenario)
-    if approach is None or not scenario.vehicle.arms.at("compliant", approach.arm):
+    arms = scenario.vehicle.arms
+    if approach is None or not arms.is_planar or not arms.at("compliant", approach.arm):
         return 0.0
     speed = max(approach.speed, 0.0)
     return float(speed * speed / (2.0 * scenario.vehicle.arms.at("stroke", approach.arm)))
@@ -104,8 +110,16 @@ def _masses(scenario: Scenario) -> Iterator[ScenarioQuantity]:
     for axis, moment in zip("xyz", vehicle.inertia().diagonal(), strict=True):
         about = "about the body's centre, arms at their free length"
         yield ScenarioQuantity(f"inertia about {axis}", float(moment), "kg m^2", about)
+    if vehicle.body.measured is not None:  # as read from a file
+        for axis, place in zip("xyz", vehicle.body.measured.centre, strict=True):
+            yield ScenarioQuantity(
+                f"centre of mass along {axis}", place, "m", "in the model, from the origin of its "
+                "first link; places of arms and hulls are from the centre of mass",
+            )  # fmt: skip
     propulsion = vehicle.propulsion
-    if propulsion is None:
+    if vehicle.rotors:
+        yield from _of_listed_rotors(vehicle)
+    if propulsion is None or not vehicle.lift > 0.0:
         return
     yield ScenarioQuantity(
         "hover thrust share", hover_share(scenario), "", "of the rotors' maximum"
@@ -114,13 +128,37 @@ def _masses(scenario: Scenario) -> Iterator[ScenarioQuantity]:
         yield ScenarioQuantity("hover time", hover_time(vehicle), "s", "with the full battery")
 
 
+def _of_listed_rotors(vehicle: Vehicle) -> Iterator[ScenarioQuantity]:
+    lifting = sum(one.lifts for one in vehicle.rotors)
+    yield ScenarioQuantity(
+        "rotors that lift", float(lifting), "", f"of {vehicle.rotor_count}: their axes are within "
+        "60 deg of body z; pilots of springback's use no others",
+    )  # fmt: skip
+    if not lifting:
+        return
+    yield ScenarioQuantity(
+        "lift per thrust", vehicle.lift / lifting, "", "of a rotor that lifts: how upright it is"
+    )
+    found, about = hover_balance(vehicle), "at equal thrusts of those that lift"
+    yield ScenarioQuantity("hover side force", found.sideways, "", f"share of the weight, {about}")
+    yield ScenarioQuantity(
+        "hover lever", max(found.tilting, found.turning), "m", f"of the weight, {about}: 0 if they "
+        "turn the vehicle about no axis",
+    )  # fmt: skip
+
+
 def hover_share(scenario: Scenario) -> float:
-    """Share of the rotors' maximum thrust that carries the true weight; 0 without propulsion."""
+    """Share of the rotors' maximum thrust that carries the true weight.
+
+    0 without propulsion, infinite without rotors that lift.
+    """
     vehicle = scenario.vehicle
     if vehicle.propulsion is None:
         return 0.0
+    if not vehicle.lift > 0.0:
+        return math.inf
     weight = scenario.true_vehicle().mass * scenario.world.gravity
-    return float(weight / (vehicle.arm_count * vehicle.propulsion.max_thrust))
+    return float(weight / (vehicle.lift * vehicle.propulsion.max_thrust))
 
 
 def _alike(arms: Arms) -> list[list[int]]:
@@ -129,7 +167,8 @@ def _alike(arms: Arms) -> list[list[int]]:
     for j in range(len(arms.directions)):
         if arms.at("compliant", j):
             names = ("mass", "stiffness", "damping", "stroke")
-            groups.setdefault(tuple(arms.at(name, j) for name in names), []).append(j)
+            key = tuple(float(f"{arms.at(name, j):.12g}") for name in names)
+            groups.setdefault(key, []).append(j)
     return list(groups.values())
 
 
@@ -142,7 +181,7 @@ def _of_arms(vehicle: Vehicle, group: list[int]) -> Iterator[ScenarioQuantity]:
     free = "on its spring, the body held"
     yield ScenarioQuantity(f"natural frequency{of}", math.sqrt(k / m) / math.tau, "Hz", free)
     yield ScenarioQuantity(f"damping ratio{of}", b / (2.0 * math.sqrt(k * m)), "", free)
-    if arms.end_stops:
+    if arms.end_stops and arms.is_planar:
         about = "estimate: the body on this one spring, its cage held by the wall ahead"
         yield ScenarioQuantity(
             f"speed that uses up the stroke{of}", stop_speed(vehicle, j), "m/s", about
@@ -194,10 +233,8 @@ def _gap(arms: Arms, i: int, j: int, pressed: float) -> float:
     """Gap between two cages [m], both arms pressed in by a share of their stroke."""
     ends = []
     for k in (i, j):
-        length, angle = arms.at("length", k), arms.directions[k]
-        if arms.at("compliant", k):
-            length -= pressed * arms.at("stroke", k)
-        ends.append(length * np.array([math.cos(angle), math.sin(angle)]))
+        stroke = arms.at("stroke", k) if arms.at("compliant", k) else 0.0
+        ends.append(np.array(arms.place(k, pressed * stroke)))
     apart = float(np.linalg.norm(ends[0] - ends[1]))
     return apart - float(arms.at("cage_radius", i) + arms.at("cage_radius", j))
 
@@ -245,8 +282,20 @@ def _first_wall(scenario: ScenarioTables) -> PlaneSettings | None:
 def _vehicle_warnings(scenario: Scenario) -> Iterator[str]:
     """Sentences on numbers that can be flown and are seldom meant."""
     vehicle, share = scenario.vehicle, hover_share(scenario)
-    if share > MOST_HOVER:
+    if not vehicle.lift > 0.0:
+        yield "no rotor blows within 60 deg of body z (vehicle.rotors): the vehicle cannot hover"
+    elif share > 1.0:
+        yield f"hover takes {100.0 * share:.3g} % of the maximum thrust: the vehicle cannot hover"
+    elif share > MOST_HOVER:
         yield f"hover takes {100.0 * share:.3g} % of the maximum thrust: little is left to steer"
+    if vehicle.rotors and vehicle.lift > 0.0:
+        aside = hover_balance(vehicle).sideways
+        if aside > MOST_ASIDE:
+            yield (
+                f"rotors push sideways with {100.0 * aside:.3g} % of the weight in hover: to stay "
+                f"it must lean by {degrees(math.atan(aside)):.3g} deg, and pilots of springback's "
+                "hold it level, off its place"
+            )
     wall, reference = _first_wall(scenario), scenario.reference
     if wall is not None and isinstance(reference, RunUpSettings):
         face = wall.plane()
@@ -258,7 +307,9 @@ def _vehicle_warnings(scenario: Scenario) -> Iterator[str]:
                 "and pitch are those planned at wall_distance"
             )
     approach = approach_to_wall(scenario)
-    if approach is None or not vehicle.arms.at("compliant", approach.arm) or approach.speed <= 0.0:
+    if approach is None or not vehicle.arms.is_planar or approach.speed <= 0.0:
+        return
+    if not vehicle.arms.at("compliant", approach.arm):
         return
     if approach.along < LEAST_ALONG:
         yield (

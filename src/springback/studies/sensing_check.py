@@ -19,7 +19,7 @@ from springback.scenario.user.laws import home_of
 from springback.scenario.user.sensing import Part, read_sensing
 from springback.sensing.estimation import EstimatorSettings
 from springback.sensing.measurement import Estimate, EstimatorStep
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 from springback.studies.pilot_check import Finding
 from springback.studies.run_ups import run_up_scenario
 from springback.user_code import UserCode

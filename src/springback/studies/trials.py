@@ -17,7 +17,7 @@ from springback.intervals import wilson
 from springback.progress import Progress, silent
 from springback.random_streams import Purpose, stream
 from springback.scenario.scenario import Scenario, merge, scenario_from
-from springback.simulation.measures import Outcome, scalars_of
+from springback.simulation.measuring.measures import Outcome, scalars_of
 from springback.studies.run_ups import WALL_DISTANCE, run_up_scenario
 
 #: The paper's start and return point, section Impact Resilience [m].

@@ -49,7 +49,9 @@ def _hover_thrust(vehicle: Vehicle, payload: float) -> float:
     """Thrust of one rotor [N]."""
     if not (math.isfinite(payload) and payload >= 0.0):
         raise InputError(f"payload must be at least 0 kg (got {payload:g} kg)")
-    thrust = (vehicle.mass + payload) * GRAVITY / vehicle.arm_count
+    if not vehicle.lift > 0.0:
+        raise InputError(f"vehicle {vehicle.name} cannot hover: none of its rotors lifts")
+    thrust = (vehicle.mass + payload) * GRAVITY / vehicle.lift
     most = _datum(vehicle, "max_thrust")
     if thrust > most * (1.0 + ROUNDING):
         raise InputError(
@@ -63,7 +65,8 @@ def _ideal_power(vehicle: Vehicle, payload: float) -> float:
     """Ideal power of all rotors [W]."""
     thrust = _hover_thrust(vehicle, payload)
     radius, density = _datum(vehicle, "disk_radius"), _datum(vehicle, "air_density")
-    return vehicle.arm_count * induced_power(thrust, radius, density)
+    lifting = sum(one.lifts for one in vehicle.rotors) if vehicle.rotors else vehicle.arm_count
+    return lifting * induced_power(thrust, radius, density)
 
 
 def hover_power(vehicle: Vehicle, payload: float = 0.0) -> float:
@@ -111,7 +114,7 @@ def largest_payload(vehicle: Vehicle, thrust_to_weight: float = 1.0) -> float:
     """
     if not (math.isfinite(thrust_to_weight) and thrust_to_weight >= 1.0):
         raise InputError(f"thrust_to_weight must be at least 1 (got {thrust_to_weight:g})")
-    most = vehicle.arm_count * _datum(vehicle, "max_thrust")
+    most = vehicle.lift * _datum(vehicle, "max_thrust")
     payload = most / (thrust_to_weight * GRAVITY) - vehicle.mass
     if payload < 0.0:
         raise InputError(

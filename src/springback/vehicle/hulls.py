@@ -21,9 +21,17 @@ from springback.errors import shown_value
 from springback.frames import attitude_from_euler
 from springback.kernels.routines import NumberTable, number_at
 from springback.kernels.vectors import Quat, Vec, rotation
-from springback.quantities import Angle, Factor, Length, Triple, Unit
+from springback.quantities import Angle, Length, Triple, Unit
 from springback.settings import Settings, naming, problem
-from springback.vehicle.state import CompoundHull, Sphere
+from springback.vehicle.force_laws import (
+    HULL_CURVE,
+    HULL_SURFACE,
+    REMEMBERING,
+    RIGID,
+    HullSurface,
+)
+from springback.vehicle.mass.bearings import AxisBearing, Bearings, Gimbal
+from springback.vehicle.state import CompoundHull, Shell, Sphere
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -31,8 +39,8 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 BLOCKS = 0
 #: Columns of a block: kind, radius, centre, the three axes in body axes, surface, middle and radius
 #: of a sphere around it, numbers of points and faces, and where these begin.
-KIND, RADIUS, CENTRE, AXES, SURFACE, MIDDLE, AROUND = 0, 1, 2, 5, 14, 20, 23
-POINTS, FACES_OF_HULL, POINTS_AT, FACES_AT, BLOCK = 24, 25, 26, 27, 28
+KIND, RADIUS, CENTRE, AXES, SURFACE, MIDDLE, AROUND = 0, 1, 2, 5, 14, 24, 27
+POINTS, FACES_OF_HULL, POINTS_AT, FACES_AT, BLOCK = 28, 29, 30, 31, 32
 #: Kinds: all around one point, a circle, or around several points.
 BALL, CIRCLE, ROUNDED = 0.0, 1.0, 2.0
 #: Numbers of a point: place, where its neighbours are listed, and how many there are.
@@ -40,9 +48,6 @@ POINT = 5
 #: Numbers of a face: outward normal, two axes along it, middle, radius of a circle around it, where
 #: its corners are listed, and how many there are.
 FACE = 15
-#: Numbers of a surface: k^(−1/n), 1.5 c_a, b, μ and v_s, the last two −1 if it is the obstacle's;
-#: and n.
-HULL_SURFACE = 6
 #: Most points of a hull, and most hulls of a part (chosen).
 MOST_POINTS, MOST_HULLS = 256, 32
 #: Faces and edges whose directions differ by less are one [1] (chosen: rounding).
@@ -54,50 +59,7 @@ Place = Annotated[Triple, Unit("m")]
 NotNegative = Annotated[float, Unit("m", least=0.0)]
 
 
-class HullSurface(Settings):
-    """Surface of a hull: a spring and a damper in series with those of what it touches.
-
-    Contact laws add up as springs in series do: k^(−1/n) of both, for the same exponent n.
-    """
-
-    stiffness: Annotated[float, Unit("", above=0.0)]
-    """k [N/mⁿ] of the hull alone, against something rigid."""
-    exponent: Annotated[float, Unit("", least=1.0, most=4.0)] = 1.5
-    """n: that of the obstacles, or the springs cannot be combined."""
-    dissipation: Annotated[float, Unit("s/m", least=0.0)] = 0.0
-    """c_a of b_c = 1.5 c_a k, as of an obstacle's surface."""
-    viscosity: Annotated[float, Unit("N s/m", least=0.0)] = 0.0
-    """b, beside a linear spring."""
-    friction: Factor | None = None
-    """μ; with the obstacle's it makes √(μ μ').  Without it the obstacle's alone counts."""
-    slip_speed: Annotated[float, Unit("m/s", above=0.0)] | None = None
-    """Below it friction fades to zero; the larger one of both surfaces counts."""
-
-    @model_validator(mode="after")
-    def _is_linear(self) -> HullSurface:
-        if self.viscosity > 0.0 and self.exponent != 1.0:
-            raise problem(
-                f"needs exponent = 1, a linear spring (got an exponent of {self.exponent:g})",
-                "viscosity",
-            )
-        return self
-
-    def numbers(self) -> list[float]:
-        """Its numbers in a table."""
-        n = self.exponent
-        friction = -1.0 if self.friction is None else self.friction
-        slip_speed = -1.0 if self.slip_speed is None else self.slip_speed
-        return [
-            self.stiffness ** (-1.0 / n), 1.5 * self.dissipation, self.viscosity, friction,
-            slip_speed, n,
-        ]  # fmt: skip
-
-
-#: Numbers of a hull without a surface of its own.
-RIGID = [0.0, 0.0, 0.0, -1.0, -1.0, 0.0]
-
-
-def _owner(value: Any) -> str | int:
+def owner(value: Any) -> str | int:
     """Validate what a hull is fixed to: the body, or an arm by its number from 1."""
     if value == "body":
         return "body"
@@ -150,10 +112,24 @@ class HullForm(NamedTuple):
 class _Hull(Settings):
     """What all hulls have."""
 
-    on: Annotated[str | int, BeforeValidator(_owner)] = "body"
+    on: Annotated[str | int, BeforeValidator(owner)] = "body"
     """`body`, or the number of an arm, from 1, at whose end it is and with which it slides."""
     surface: HullSurface | None = None
     """Without one the hull is rigid: the law of contact is the obstacle's alone."""
+
+    @property
+    def remembers(self) -> bool:
+        """True if its surface has a memory."""
+        return self.surface is not None and self.surface.law in REMEMBERING
+
+    @property
+    def bearings(self) -> Bearings | None:
+        """Those in which it turns by itself about the main body, if it does."""
+        return None
+
+    def in_bearings(self, touching: CompoundHull) -> Shell | CompoundHull:
+        """The hull as it touches, in its bearings if it has any."""
+        return touching
 
     @abstractmethod
     def form(self) -> HullForm:
@@ -173,6 +149,21 @@ class SphereHull(_Hull):
     type: Literal["sphere"]
     position: Place = (0.0, 0.0, 0.0)
     radius: Length
+    gimbal: Gimbal | None = None
+    """With it the sphere turns by itself; it is then the only hull of the main body."""
+
+    @property
+    def bearings(self) -> Gimbal | None:
+        """Those in which it turns."""
+        return self.gimbal
+
+    def in_bearings(self, touching: CompoundHull) -> Shell | CompoundHull:
+        """As it touches, in its gimbal if it has one."""
+        if (of := self.gimbal) is None:
+            return touching
+        inertia = 2.0 / 3.0 * of.shell_mass * self.radius * self.radius
+        centre = Vec(*self.position)
+        return Shell(touching, centre, self.radius, inertia, of.damping, of.friction)
 
     def form(self) -> HullForm:
         """Its geometry."""
@@ -187,6 +178,21 @@ class RingHull(_Hull):
     axis: Annotated[Triple, Unit("")] = (0.0, 0.0, 1.0)
     """Direction across its plane, of any length."""
     radius: Length
+    bearing: AxisBearing | None = None
+    """With it the ring turns about its axis; it is then the only hull of the main body."""
+
+    @property
+    def bearings(self) -> AxisBearing | None:
+        """Those in which it turns."""
+        return self.bearing
+
+    def in_bearings(self, touching: CompoundHull) -> Shell | CompoundHull:
+        """As it touches, in its bearing if it has one."""
+        if (of := self.bearing) is None:
+            return touching
+        centre, axis = Vec(*self.position), Vec(*_axes_along(np.array(self.axis))[2].tolist())
+        inertia = of.ring_mass * self.radius * self.radius
+        return Shell(touching, centre, self.radius, inertia, of.damping, of.friction, (axis,))
 
     @model_validator(mode="after")
     def _has_direction(self) -> RingHull:
@@ -354,23 +360,32 @@ def compound_hull(hulls: Sequence[_Hull]) -> CompoundHull:
         raise problem(f"must be at most {MOST_HULLS} on one part (got {len(hulls)})", "hulls")
     forms = [one.form() for one in hulls]
     numbers: list[float] = [float(len(hulls)), *(0.0 for _ in hulls)]
+    curves: dict[int, NumberTable] = {}
     for k, (one, form) in enumerate(zip(hulls, forms, strict=True)):
         numbers[1 + k] = float(len(numbers))
         surface = RIGID if one.surface is None else one.surface.numbers()
+        if isinstance(curve := surface[HULL_CURVE], NumberTable):
+            curves[len(numbers) + SURFACE + HULL_CURVE] = curve
         numbers += _block(form, surface, len(numbers))
     low = np.min([form.middle() - form.around() for form in forms], axis=0)
     high = np.max([form.middle() + form.around() for form in forms], axis=0)
     middle = 0.5 * (low + high)
     radius = max(float(np.linalg.norm(f.middle() - middle)) + f.around() for f in forms)
-    return CompoundHull(NumberTable(np.array(numbers)), Vec(*middle.tolist()), radius)
+    return CompoundHull(NumberTable(np.array(numbers), curves), Vec(*middle.tolist()), radius)
 
 
-def hull_reach(hull: Sphere | CompoundHull, direction: Vec) -> float:
+def no_shell(hull: _Hull, where: str, field: str) -> None:
+    """Reject a hull that turns by itself where that is not computed."""
+    if (of := hull.bearings) is not None:
+        raise problem(f"is not possible {where}", f"{field}.{of.field}")
+
+
+def hull_reach(hull: Sphere | CompoundHull | Shell, direction: Vec) -> float:
     """Largest distance of a hull's points along a unit vector, from what it is fixed to [m].
 
     A hull without parts, which an arm may have, reaches nowhere.
     """
-    if isinstance(hull, Sphere):
+    if isinstance(hull, Sphere | Shell):
         found: float = direction @ hull.centre + hull.radius
         return found
     table, n = hull.table, direction

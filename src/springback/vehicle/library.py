@@ -1,4 +1,4 @@
-"""Vehicles of the literature, each number with its table and row.
+"""Vehicles of the paper, each number with its table and row, and all of the library.
 
 ``given`` is printed there, ``derived`` follows from printed numbers, ``chosen`` is our choice where
 the source gives none; ``fitted`` numbers name what they were fitted to.
@@ -7,11 +7,12 @@ the source gives none; ``fitted`` numbers name what they were fitted to.
 from __future__ import annotations
 
 from math import pi
-from typing import NamedTuple
 
 from springback.vehicle.endurance import GRAVITY
+from springback.vehicle.folding import FOLDING
 from springback.vehicle.parameters import Arms, Body, Hull, Vehicle
-from springback.vehicle.rotors import Propulsion
+from springback.vehicle.propulsion import Propulsion
+from springback.vehicle.published import PUBLISHED, Entry
 
 #: Directions of the X layout in the paper's order: front left, front right, rear right, rear left.
 X_LAYOUT = (pi / 4, -pi / 4, -3 * pi / 4, 3 * pi / 4)
@@ -24,15 +25,7 @@ SPECIFIC_ENERGY = 140.0 * 3600.0  # [J/kg] of a lithium polymer pack
 FIGURE_OF_MERIT = 0.4659  # from Quad's printed hover time, 573 s, tests/vehicle/test_endurance.py
 
 
-class Entry(NamedTuple):
-    """A vehicle of the library."""
-
-    vehicle: Vehicle
-    summary: str
-    sources: dict[str, str]
-
-
-def _arms(*, compliant: bool, mass: float, end_stops: bool) -> Arms:
+def _arms(*, compliant: bool | tuple[bool, ...], mass: float, end_stops: bool) -> Arms:
     return Arms(
         directions=X_LAYOUT,
         length=LENGTH,
@@ -89,6 +82,9 @@ _PROPULSION_SOURCES = {
     "propulsion.disk_radius": "chosen: 5 inch propellers; the cages of 0.11 m leave room for 8 inch"
     ", which would take a figure of merit below 0.3",
     "propulsion.disk_height": "chosen: in the plane of the cages, which protect the propellers",
+    "propulsion.stop": "chosen: none; the paper tells of no rotor that stopped",
+    "propulsion.surface_effect": "chosen: none; the paper models no effect of surfaces on thrust",
+    "limits": "chosen: none; the paper tells of nothing that broke",
     "propulsion.battery_energy": "chosen: 140 Wh/kg for the 0.37 kg of battery, as lithium polymer "
     "packs have (3 cells of 8.4 Ah weigh 0.65 kg: 143 Wh/kg)",
     "propulsion.usable_share": "chosen: 80 %, the usual rule for lithium polymer",
@@ -195,5 +191,46 @@ ARQ_LUMPED = Entry(
     },
 )  # fmt: skip
 
-_ALL = (ARQ, QUAD, ARQ_ON_SLIDER, QUAD_ON_SLIDER, ARQ_LUMPED)
-VEHICLES = {entry.vehicle.name: entry for entry in _ALL}
+# -- the same authors' next robot ------------------------------------------------------------------
+
+_S_ARQ = "the paper of s-ARQ (arXiv:2305.14680)"
+_MORE = 1.04  # weight over that of its rigid frame
+
+S_ARQ = Entry(
+    Vehicle(
+        name="s-arq",
+        body=Body(
+            mass=_MORE * 0.844 + BATTERY - 4.0 * ARM_MASS,
+            inertia=_principal(
+                _MORE * 0.0092 - _ARM_SHARE,
+                _MORE * 0.0107 - _ARM_SHARE,
+                _MORE * 0.0179 - 2.0 * _ARM_SHARE,
+            ),
+        ),
+        hull=HULL,
+        arms=_arms(compliant=(True, False, False, False), mass=ARM_MASS, end_stops=True),
+        propulsion=PROPULSION,
+    ),
+    "A frame like Quad's of which one arm yields, after s-ARQ",
+    {
+        "body.mass": f"derived: Quad's 0.844 kg and 4 % (given: {_S_ARQ}, weight over its rigid "
+        "frame, whose own is not known here), + 0.37 kg of battery, - 0.2 kg of arms' ends",
+        "body.inertia": "derived: Quad's and 4 %, less the arms' m_a L^2",
+        **_HULL_SOURCES,
+        **_ARM_SOURCES,
+        **_COMPLIANT_SOURCES,
+        "arms.mass": "chosen: as of arq, at the ends of the rigid arms, too, for balance",
+        "arms.compliant": f"given: {_S_ARQ}, one arm yields; chosen: the front left",
+        "arms.length": "chosen: as of Quad",
+        "arms.cage_radius": "chosen: as of Quad",
+        "arms.stiffness": "chosen: as of arq",
+        "arms.damping": "chosen: as of arq",
+        **_PROPULSION_SOURCES,
+        "propulsion.max_thrust": "chosen: as of Quad",
+    },
+)
+
+_OF_THE_PAPER = (ARQ, QUAD, ARQ_ON_SLIDER, QUAD_ON_SLIDER, ARQ_LUMPED)
+#: Vehicles of other papers and simulators.
+OF_OTHERS = (S_ARQ, *PUBLISHED, *FOLDING)
+VEHICLES = {entry.vehicle.name: entry for entry in (*_OF_THE_PAPER, *OF_OTHERS)}

@@ -11,16 +11,29 @@ from pydantic_core import CoreSchema
 from pydantic_core.core_schema import no_info_plain_validator_function
 
 from springback.errors import shown_value
-from springback.kernels.tracing import cos, hypot, sqrt, traceable  # for batch set-up
+from springback.kernels.tracing import hypot, sqrt, traceable  # for batch set-up
 from springback.kernels.vectors import Mat3, Vec
 from springback.quantities import Mass, PerArm, Triple, Unit, si_number
 from springback.settings import Name, Settings, naming, problem
+from springback.vehicle.arms.joints import JointedArm
+from springback.vehicle.arms.settings import Arms as Arms
+from springback.vehicle.arms.settings import exact
 from springback.vehicle.hulls import HullSettings, SphereHull, compound_hull, no_hull
-from springback.vehicle.rotors import Propulsion
-from springback.vehicle.state import Airframe, Arm, Propeller, Sphere, build_airframe
+from springback.vehicle.limits import LimitSettings, LoadLimits, limits_or_none
+from springback.vehicle.mass.bearings import check_rest
+from springback.vehicle.mass.bounds import check_inertia
+from springback.vehicle.mass.parts import MassParts, with_mass_of_parts
+from springback.vehicle.placed.settings import RotorSettings, check_rotors, placed_rotors
+from springback.vehicle.propulsion import Propulsion
+from springback.vehicle.state import (
+    Airframe,
+    Arm,
+    Propeller,
+    Sphere,
+    arm_pose,
+    build_airframe,
+)
 
-#: Upper limit, to catch typing errors (chosen): a flight is compiled for each number of arms.
-MOST_ARMS = 32
 #: Relative rounding error allowed in moments and distances (chosen).
 ROUNDING = 1e-9
 
@@ -40,6 +53,16 @@ def _inertia(value: Any) -> tuple[tuple[float, ...], ...]:
     if not all(isinstance(row, list | tuple) and len(row) == 3 for row in value):
         raise problem(f"must be a 3 x 3 matrix in kg m² (got {shown_value(value)})")
     rows = [[si_number(entry, unit) for entry in row] for row in value]
+    check_matrix(rows)
+    return tuple(tuple(row) for row in rows)
+
+
+def check_matrix(rows: Any) -> None:
+    """Reject a matrix that is the inertia of no mass distribution.
+
+    Args:
+        rows: The matrix [kg m²], shape (3, 3).
+    """
     matrix = np.array(rows)
     if not np.allclose(matrix, matrix.T, rtol=1e-9, atol=0.0):
         raise problem(f"must be symmetric (got {shown_value(rows)} kg m²)")
@@ -47,7 +70,6 @@ def _inertia(value: Any) -> tuple[tuple[float, ...], ...]:
     if principal[0] <= 0.0:
         raise problem(f"must have positive principal moments (got {shown_value(rows)} kg m²)")
     check_moments(principal)
-    return tuple(tuple(row) for row in rows)
 
 
 class _Inertia:
@@ -77,24 +99,24 @@ def check_moments(principal: Any) -> None:
         )
 
 
-def _flags(value: Any) -> bool | tuple[bool, ...]:
-    """One boolean, or one for each arm."""
-    if isinstance(value, bool):
-        return value
-    if isinstance(value, list | tuple) and all(isinstance(entry, bool) for entry in value):
-        return tuple(value)
-    raise problem(
-        f"must be true or false, or a list of them, one for each arm (got {shown_value(value)})"
-    )
+def _one_or_more(value: Any) -> Any:
+    """A list; a text alone is one of one entry."""
+    return (value,) if isinstance(value, str) else value
 
 
-def _signs(value: Any) -> tuple[int, ...] | None:
-    """A sign, −1 or +1, for each rotor."""
-    if value is None:
-        return None
-    if isinstance(value, list | tuple) and all(entry in (-1, 1) for entry in value):
-        return tuple(int(entry) for entry in value)
-    raise problem(f"must be a list of -1 and 1, one for each rotor (got {shown_value(value)})")
+#: What is wrong with a model outside of a scenario.
+_UNREAD = "is read with the vehicle of a scenario; here give mass and inertia"
+
+
+class MeasuredModel(Settings):
+    """A model that mass and inertia were read from."""
+
+    model: str
+    """As in `Body`."""
+    links: tuple[Name, ...] = ()
+    """Likewise."""
+    centre: Annotated[Triple, Unit("m")]
+    """Its centre of mass, from the origin of the first of these links and in its axes."""
 
 
 class Body(Settings):
@@ -103,110 +125,40 @@ class Body(Settings):
     mass: Mass
     inertia: Annotated[tuple[tuple[float, ...], ...], _Inertia()]
     """About the centre of mass of the main body, body axes [kg m²]; three moments or a matrix."""
-
-
-class Arms(Settings):
-    """Parameters of the arms.  Each is one number for all arms, or a list with one for each.
-
-    An arm is a point mass at the end of a slide in the body plane, with its cage and rotor.
-    """
-
-    directions: tuple[Any, ...]
-    """Angle of each arm from body x towards body y [rad]; their number is the number of arms."""
-    length: Annotated[PerArm, Unit("m", above=0.0)]
-    """Free length L, from the centre of the main body to the arm's end."""
-    mass: Annotated[PerArm, Unit("kg", least=0.0)]
-    cage_radius: Annotated[PerArm, Unit("m", above=0.0)]
-    compliant: Annotated[bool | tuple[bool, ...], BeforeValidator(_flags)] = True
-    """True: the arm slides against its spring.  False: it is locked, the vehicle rigid there."""
-    stiffness: Annotated[PerArm, Unit("N/m", above=0.0)] = 5e3
-    damping: Annotated[PerArm, Unit("N s/m", least=0.0)] = 0.0
-    stroke: Annotated[PerArm, Unit("m", above=0.0)] = 0.05
-    """Largest compression of an arm, at which it bottoms out."""
-    end_stops: bool = True
-    """Stops at the free length and at the end of the stroke; without them travel is unlimited."""
-    stop_stiffness: Annotated[PerArm, Unit("N/m", above=0.0)] = 2e5
-    stop_dissipation: Annotated[PerArm, Unit("s/m", least=0.0)] = 0.5
-    """Coefficient d of the stops' force k δ (1 + d δ̇)."""
-    torque_ratio: Annotated[PerArm, Unit("m", least=0.0)] = 0.0
-    """c_τ, rotor torque per unit thrust."""
-    spin: Annotated[tuple[int, ...] | None, BeforeValidator(_signs)] = None
-    """Sign of each rotor's torque about body z; alternating −, + by default, as in eq. (2)."""
-
-    @model_validator(mode="after")
-    def _consistent(self) -> Arms:
-        count = len(self.directions)
-        if not 1 <= count <= MOST_ARMS:
-            raise problem(
-                f"must name at least one arm and at most {MOST_ARMS} (got {count})", "directions"
-            )
-        for name in type(self).model_fields:
-            value = getattr(self, name)
-            if isinstance(value, tuple) and len(value) != count:
-                raise problem(f"has {len(value)} entries for {count} arms", name)
-        for j in range(count):
-            mass, stroke, length = self.at("mass", j), self.at("stroke", j), self.at("length", j)
-            if self.at("compliant", j) and not mass > 0.0:
-                raise problem(
-                    f"of compliant arm {j + 1} must be more than 0 kg (got {mass:g} kg)", "mass"
-                )
-            if self.at("compliant", j) and not stroke < length:
-                raise problem(
-                    f"must be less than the length of arm {j + 1}, {length:g} m (got {stroke:g} m)",
-                    "stroke",
-                )
-        for second in range(count):
-            for first in range(second):
-                self._check_apart(first, second)
-        return self
-
-    def _check_apart(self, first: int, second: int) -> None:
-        """Reject two arms that point the same way, and cages that overlap.
-
-        Uncompressed cages must not overlap, nor may they while either arm is compressed to the end
-        of its stroke.  Two arms compressed at once are not checked: those of the paper's own robot
-        would touch at 34 mm, which its springs do not reach.
-        """
-        names = f"arms {first + 1} and {second + 1}"
-        cosine = cos(self.directions[first] - self.directions[second])
-        if cosine > 1.0 - ROUNDING:
-            raise problem(f"of {names} must differ", "directions")
-        pair = (first, second)
-        room = sum(self.at("cage_radius", j) for j in pair)
-        for moving, still in (pair, pair[::-1]):
-            here, there = self.at("length", moving), self.at("length", still)
-            apart = _distance(here, there, cosine)
-            if apart < room * (1.0 - ROUNDING):
-                raise problem(
-                    f"of {names} lets their cages overlap: radii of {room:g} m together need the "
-                    f"ends of the arms as far apart, and they are {apart:.6g} m",
-                    "cage_radius",
-                )
-            if not (self.at("compliant", moving) and self.end_stops):
-                continue
-            shortest = here - self.at("stroke", moving)
-            nearest = _distance(min(max(there * cosine, shortest), here), there, cosine)
-            if nearest < room * (1.0 - ROUNDING):
-                raise problem(
-                    f"of arm {moving + 1} lets its cage meet that of arm {still + 1}, which is not "
-                    f"pressed in: the ends come as near as {nearest:.6g} m, the cages need "
-                    f"{room:g} m (got {self.at('stroke', moving):g} m)",
-                    "stroke",
-                )
+    parts: MassParts = ()
+    """Points, balls, boxes and tubes, of which mass and inertia follow, in place of both."""
+    model: str = ""
+    """A file in SDF, URDF or MJCF, relative to this one, of which mass and inertia follow."""
+    links: Annotated[tuple[Name, ...], BeforeValidator(_one_or_more)] = ()
+    """Links of that model that make up the main body, by names or patterns such as ``"rotor_*"``;
+    none: its first link and all that joints fix to it."""
+    measured: MeasuredModel | None = None
+    """That model as it was read; the file is not read again where this is given."""
 
     @model_validator(mode="before")
     @classmethod
-    def _angles(cls, given: Any) -> Any:
-        if isinstance(given, dict) and isinstance(given.get("directions"), list | tuple):
-            with naming("directions"):
-                angles = tuple(si_number(angle, "rad") for angle in given["directions"])
-            return {**given, "directions": angles}
-        return given
+    def _of_parts(cls, given: Any) -> Any:
+        has_model = isinstance(given, dict) and bool(given.get("model"))
+        if has_model and given.get("parts"):
+            raise problem("cannot be combined with parts", "model")
+        if has_model and "mass" not in given:
+            raise problem(_UNREAD, "model")
+        return with_mass_of_parts(given)
 
-    def at(self, name: str, j: int) -> Any:
-        """The value of a field for arm ``j``, counted from 0."""
-        value = getattr(self, name)
-        return value[j] if isinstance(value, tuple) else value
+    @model_validator(mode="after")
+    def _as_measured(self) -> Body:
+        known = self.measured
+        for name in ("links", "measured"):
+            if getattr(self, name) and not self.model:
+                raise problem("needs a model", name)
+        if self.model and (known is None or (known.model, known.links) != (self.model, self.links)):
+            raise problem(_UNREAD, "model")
+        return self
+
+    @property
+    def weighed_by(self) -> str:
+        """Field that mass and inertia follow from: inertia is itself one."""
+        return "parts" if self.parts else "model" if self.model else "inertia"
 
 
 class Hull(Settings):
@@ -236,8 +188,12 @@ class Vehicle(Settings):
     hulls: tuple[HullSettings, ...] = ()
     """More hulls, on the main body or on arms, besides ``hull`` and the cages."""
     arms: Arms
+    rotors: tuple[RotorSettings, ...] = ()
+    """Rotors, each on the main body or at the end of an arm; without a list, one for each arm."""
     propulsion: Propulsion | None = None
     """Rotors and battery; without it, thrusts are given from outside and have no bounds."""
+    limits: Annotated[LimitSettings | None, BeforeValidator(limits_or_none)] = None
+    """What its parts bear; without it, or with false in place of a preset's, nothing breaks."""
 
     @model_validator(mode="after")
     def _hull_is_near(self) -> Vehicle:
@@ -272,7 +228,74 @@ class Vehicle(Settings):
                 )
         for part in ("body", *range(1, self.arm_count + 1)):
             self._hull_of(part)
+        if self.has_shell:
+            self._check_shell()
         return self
+
+    @model_validator(mode="after")
+    def _rotors_fit(self) -> Vehicle:
+        if self.rotors:
+            check_rotors(self.rotors, self.arms, self.reach())
+            if self.propulsion is not None:
+                guarded = any(one.on != "body" for one in self.rotors)
+                with naming("propulsion"):
+                    self.propulsion.check_guards(guarded)
+        return self
+
+    @model_validator(mode="after")
+    def _inertia_is_possible(self) -> Vehicle:
+        body, reach = self.body, self.reach()
+        with naming("body"):
+            check_inertia(body.mass, body.inertia, reach, body.weighed_by)
+        return self
+
+    def _check_shell(self) -> None:
+        """Reject a shell that is not the only hull of the main body, or heavier than that."""
+        for k, one in enumerate(self.hulls):
+            if (of := one.bearings) is None:
+                continue
+            field = f"hulls[{k}].{of.field}"
+            if one.on != "body":
+                raise problem(f"needs a {one.type} on the body (it is on arm {one.on})", field)
+            if self.hull is not None or len(self.hulls_on("body")) > 1:
+                raise problem(f"needs a {one.type} that is the only hull of the main body", field)
+            if of.turning_mass >= self.body.mass:
+                raise problem(
+                    f"must be less than the mass of the body, {self.body.mass:g} kg, of which it "
+                    f"is a part (got {of.turning_mass:g} kg)",
+                    f"{field}.{of.mass_field}",
+                )
+            [shell] = self._hull_of("body")
+            check_rest(self.body.inertia, shell, of, f"{field}.{of.mass_field}")
+
+    @model_validator(mode="after")
+    def _touches_something(self) -> Vehicle:
+        if not self.arms.cages and not self.hulls:
+            raise problem(
+                "must not be false without hulls: nothing of the vehicle would touch anything",
+                "arms.cages",
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _limits_fit(self) -> Vehicle:
+        if self.limits is not None:
+            with naming("limits"):
+                self.limits.check(self._compliant, self.arms.is_hinged)
+        return self
+
+    @property
+    def _compliant(self) -> tuple[bool, ...]:
+        """Of each arm, True if it can slide."""
+        return tuple(bool(self.arms.at("compliant", j)) for j in range(self.arm_count))
+
+    def load_limits(self) -> LoadLimits | tuple[()]:
+        """Numbers of its limits; empty if there are none."""
+        if self.limits is None:
+            return ()
+        hinged = self.arms.is_hinged
+        radii = tuple(self.arms.radius(j) if hinged else 1.0 for j in range(self.arm_count))
+        return self.limits.limits(self._compliant, radii)
 
     def hulls_on(self, part: str | int) -> tuple[HullSettings, ...]:
         """Those of ``hulls`` that are on the main body, "body", or on an arm, from 1."""
@@ -286,7 +309,25 @@ class Vehicle(Settings):
         if given is not None:
             ball = SphereHull(type="sphere", position=given.offset, radius=given.radius)
             found = (ball, *found)
-        return (compound_hull(found),)
+        return (found[0].in_bearings(compound_hull(found)),)
+
+    @property
+    def has_shell(self) -> bool:
+        """True if a hull turns by itself about the main body."""
+        return any(one.bearings is not None for one in self.hulls)
+
+    def reach(self) -> float:
+        """Distance of its farthest cage or hull from the main body's centre, arms free [m].
+
+        Circles around rotors that touch nothing count as cages.
+        """
+        found: list[Any] = [hypot(*one.centre) + one.radius for one in self._hull_of("body")]
+        for j in range(self.arm_count):
+            end = hypot(self.arms.at("length", j), self.arms.at("height", j))
+            found.append(end + self.arms.at("cage_radius", j))
+            found += [end + hypot(*one.centre) + one.radius for one in self._hull_of(j + 1)]
+        farthest: float = max(found)
+        return farthest
 
     @property
     def has_body_hull(self) -> bool:
@@ -297,6 +338,38 @@ class Vehicle(Settings):
     def arm_count(self) -> int:
         """Number of arms."""
         return len(self.arms.directions)
+
+    @property
+    def rotor_count(self) -> int:
+        """Number of rotors: those listed, or one for each arm."""
+        return len(self.rotors) or self.arm_count
+
+    @property
+    def lift(self) -> float:
+        """Thrust along body z of all rotors that lift, for each newton of one of them [1].
+
+        Without a list it is the number of arms.
+        """
+        if not self.rotors:
+            return self.arm_count
+        total: float = sum(one.direction().z for one in self.rotors if one.lifts)
+        return total
+
+    def hover_thrusts(self, weight: float) -> tuple[float, ...]:
+        """A weight [N], shared by all rotors that lift; the others give nothing [N].
+
+        Raises:
+            The problem, if no rotor lifts.
+        """
+        if not self.rotors:
+            count = self.arm_count
+            return (weight / count,) * count
+        if not any(one.lifts for one in self.rotors):
+            raise problem(
+                "cannot hover: no rotor blows within 60 deg of body z (see axis)", "vehicle.rotors"
+            )
+        share = weight / self.lift
+        return tuple(share if one.lifts else 0.0 for one in self.rotors)
 
     @property
     def mass(self) -> float:
@@ -319,6 +392,11 @@ class Vehicle(Settings):
         matrix = np.array(self.body.inertia)
         for j, angle in enumerate(self.arms.directions):
             l_j = self.arms.at("length", j) if lengths is None else lengths[j]
+            if not self.arms.is_planar:
+                end = np.array(arm_pose(self._arm(j, ()), l_j, 0.0, Vec(0.0, 0.0, 0.0)).lever)
+                of_point = end @ end * np.eye(3) - np.outer(end, end)
+                matrix += self.arms.at("mass", j) * of_point
+                continue
             e = np.array([math.cos(angle), math.sin(angle), 0.0])
             matrix += self.arms.at("mass", j) * l_j**2 * (np.eye(3) - np.outer(e, e))
         return matrix
@@ -328,8 +406,9 @@ class Vehicle(Settings):
         rates = [0.0]
         for j in range(self.arm_count):
             if self.arms.at("compliant", j):
-                m, b = self.arms.at("mass", j), self.arms.at("damping", j)
-                k = self.arms.at("stiffness", j)
+                more_k, more_b = self.arms.most_between
+                m, b = self.arms.at("mass", j), self.arms.at("damping", j) + more_b
+                k = self.arms.steepest(j) + more_k
                 root = sqrt(max(b * b - 4.0 * k * m, 0.0))
                 rates.append(max((b + root) / (2.0 * m), sqrt(k / m)))
                 if self.arms.end_stops:
@@ -339,54 +418,77 @@ class Vehicle(Settings):
     @traceable
     def airframe(self) -> Airframe:
         """Numbers for the equations of motion."""
-        arms, propulsion = self.arms, self.propulsion
-        disc: tuple[Propeller, ...] = ()
+        propulsion = self.propulsion
+        found: tuple[Propeller, ...] = ()
         if propulsion is not None and propulsion.disk_radius is not None:
-            disc = (Propeller(propulsion.disk_radius, propulsion.disk_height),)
-        built = []
-        for j, angle in enumerate(arms.directions):
-            slides = bool(arms.at("compliant", j))
-            spin = arms.spin[j] if arms.spin else (-1 if j % 2 == 0 else 1)
-            mass, length = arms.at("mass", j), arms.at("length", j)
-            built.append(
-                Arm(
-                    cosine=_exact(math.cos(angle)),
-                    sine=_exact(math.sin(angle)),
-                    mass=mass,
-                    inverse_mass=1.0 / mass if slides else 0.0,
-                    stiffness=arms.at("stiffness", j),
-                    damping=arms.at("damping", j),
-                    length=length,
-                    shortest=length - arms.at("stroke", j),
-                    stop_stiffness=arms.at("stop_stiffness", j) if arms.end_stops else 0.0,
-                    stop_dissipation=arms.at("stop_dissipation", j),
-                    compliance=1.0 if slides else 0.0,
-                    cage_radius=arms.at("cage_radius", j),
-                    torque_ratio=spin * arms.at("torque_ratio", j),
-                    hull=self._hull_of(j + 1),
-                    propeller=disc,
-                )
-            )
+            found = (Propeller(propulsion.disk_radius, propulsion.disk_height),)
+        disc = () if self.rotors else found
+        built: list[Any] = [self._arm(j, disc) for j in range(self.arm_count)]
         if any(arm.hull for arm in built):  # arms of one structure: those without hulls get none
             built = [arm if arm.hull else arm._replace(hull=(no_hull(),)) for arm in built]
         inertia = Mat3(*(Vec(*row) for row in self.body.inertia))
-        return build_airframe(self.mass, inertia, tuple(built), self._hull_of("body"))
+        neighbours = self.arms.neighbour_springs()
+        placed = placed_rotors(self.rotors, self.arms, found)
+        return build_airframe(
+            self.mass, inertia, tuple(built), self._hull_of("body"), neighbours, placed
+        )  # fmt: skip
 
-    def lengths(self) -> tuple[float, ...]:
-        """Free arm lengths [m]."""
-        return tuple(self.arms.at("length", j) for j in range(self.arm_count))
+    def _arm(self, j: int, disc: tuple[Propeller, ...]) -> Arm | JointedArm:
+        """Numbers of arm ``j``, from 0."""
+        arms, angle = self.arms, self.arms.directions[j]
+        slides = bool(arms.at("compliant", j))
+        spin = arms.spin[j] if arms.spin else (-1 if j % 2 == 0 else 1)
+        mass, length = arms.at("mass", j), arms.at("length", j)
+        common = {
+            "mass": mass,
+            "inverse_mass": 1.0 / mass if slides else 0.0,
+            "damping": arms.at("damping", j),
+            "length": length,
+            "stop_stiffness": arms.at("stop_stiffness", j) if arms.end_stops else 0.0,
+            "stop_dissipation": arms.at("stop_dissipation", j),
+            "compliance": 1.0 if slides else 0.0,
+            "cage_radius": arms.at("cage_radius", j),
+            "torque_ratio": spin * arms.at("torque_ratio", j),
+            "hull": self._hull_of(j + 1),
+            "propeller": disc,
+            "caged": 1.0 if arms.cages else 0.0,
+        }
+        if arms.is_planar:
+            return Arm(
+                cosine=exact(math.cos(angle)), sine=exact(math.sin(angle)),
+                stiffness=arms.at("stiffness", j), shortest=length - arms.at("stroke", j), **common,
+            )  # fmt: skip
+        spring, (low, high) = arms.spring(j), arms.travel(j)
+        return JointedArm(
+            joint=arms.joint_of(j), spring=spring,
+            stiffness=arms.linear(j), resting_stiffness=arms.at("stiffness", j),
+            shortest=length - high, longest=length - low, **common,
+        )  # fmt: skip
 
+    def _strain(self, j: int) -> float:
+        """How far a preload presses arm ``j``, from 0, into its stop at rest [m]."""
+        arms, spring = self.arms, self.arms.spring(j)
+        if not arms.at("compliant", j) or spring.preload == 0.0:
+            return 0.0
+        pulls = arms.linear(j) if spring.both_sides > 0.0 and spring.play == 0.0 else 0.0
+        return float(spring.preload / (arms.at("stop_stiffness", j) + pulls))
 
-def _distance(here: float, there: float, cosine: float) -> float:
-    """Distance between the ends of two arms [m] of given lengths, from the cosine between them."""
-    square = here * here + there * there - 2.0 * here * there * cosine
-    distance: float = sqrt(max(square, 0.0))
-    return distance
+    def lengths(self, compression: PerArm = 0.0) -> tuple[float, ...]:
+        """Arm lengths at rest [m]: free, but for a preload, which presses the stop.
 
-
-def _exact(x: float) -> float:
-    """Round to zero the cosines of right angles, which come out as 6e-17."""
-    return 0.0 if abs(x) < 1e-15 else x
+        Args:
+            compression: By which they are pressed in, one for all or each [m].
+        """
+        if not (isinstance(compression, float) and compression == 0.0):
+            count = self.arm_count
+            each = compression if isinstance(compression, tuple) else (compression,) * count
+            at_rest = self.lengths()
+            return tuple(length - by for length, by in zip(at_rest, each, strict=True))
+        free = [self.arms.at("length", j) for j in range(self.arm_count)]
+        if self.arms.is_planar:
+            return tuple(free)
+        pressed = [self._strain(j) for j in range(self.arm_count)]
+        return tuple(length + more for length, more in zip(free, pressed, strict=True))
 
 
 Thrust = Annotated[float, Unit("N", least=0.0)]

@@ -1,4 +1,4 @@
-"""Propulsion of a vehicle: rotors with lag and saturation, and the battery behind them.
+"""Rotors with lag and saturation.
 
 One law for every rotor: its thrust follows the command, limited to its bounds, with one time
 constant τ.  Between two ticks the command is constant, so the response is known exactly.
@@ -6,15 +6,11 @@ constant τ.  Between two ticks the command is constant, so the response is know
 
 from __future__ import annotations
 
-from typing import Annotated, NamedTuple
-
-from pydantic import model_validator
+from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
 from springback.kernels.exponentials import exponential
 from springback.kernels.trees import field_of, select, tree_map
-from springback.quantities import Length, Unit
-from springback.settings import Settings, problem
 
 #: [s] Chosen: shorter time constants count as zero, so that h/τ stays finite for every duration h.
 INSTANT = 1e-9
@@ -102,46 +98,3 @@ def lagged_thrusts(
     """Apply `lagged_thrust` to every rotor, in the order of the arms [N]."""
     results = tree_map(lagged_thrust, (thrusts, commands), (rotors, lag))
     return Thrusts(field_of(results, "thrust"), field_of(results, "mean"))
-
-
-class Propulsion(Settings):
-    """Rotors, one at the end of each arm, identical, and the battery they share.
-
-    The battery is needed only for hover power and hover time.
-    """
-
-    max_thrust: Annotated[float, Unit("N", above=0.0)]
-    """Maximum thrust of one rotor."""
-    min_thrust: Annotated[float, Unit("N", least=0.0)] = 0.0
-    """Minimum thrust of one rotor; 0: rotors stop but do not turn backwards."""
-    time_constant: Annotated[float, Unit("s", least=0.0)] = 0.025
-    """τ of the thrust.  RotorS's Hummingbird: 12.5 ms up and 25 ms down, of which the slower; JSK's
-    aerial_robot assumes 90 ms.  At 40 ms ARQ does not always survive (`springback study why`).
-    """
-    figure_of_merit: Annotated[float, Unit("", above=0.0, most=1.0)] | None = None
-    """Ratio of ideal induced power to battery power: propeller, motor and controller together."""
-    disk_radius: Length | None = None
-    """Radius of one propeller: of the disc in which whatever is there is hit."""
-    disk_height: Annotated[float, Unit("m")] = 0.0
-    """Of that disc above the plane of the arms, along body z; the cages lie in that plane."""
-    battery_energy: Annotated[float, Unit("J", above=0.0)] | None = None
-    """Energy of the full battery, such as ``"52 Wh"``."""
-    usable_share: Annotated[float, Unit("", above=0.0, most=1.0)] = 0.8
-    """Usable fraction of the energy; the rest is reserve.  Chosen: usual for lithium polymer."""
-    electronics_power: Annotated[float, Unit("W", least=0.0)] = 0.0
-    """Power of everything but the rotors."""
-    air_density: Annotated[float, Unit("kg/m^3", above=0.0)] = 1.225
-    """ρ of the International Standard Atmosphere at sea level (ISO 2533)."""
-
-    @model_validator(mode="after")
-    def _consistent(self) -> Propulsion:
-        if not self.min_thrust < self.max_thrust:
-            raise problem(
-                f"must be less than max_thrust, {self.max_thrust:g} N (got {self.min_thrust:g} N)",
-                "min_thrust",
-            )
-        return self
-
-    def rotors(self) -> Rotors:
-        """Numbers for the equations of motion."""
-        return Rotors(self.min_thrust, self.max_thrust, self.time_constant)

@@ -29,7 +29,7 @@ from springback.paper.slider import (
     READINGS,
 )
 from springback.results.flight import fly
-from springback.simulation.measures import MEASURES
+from springback.simulation.measuring.measures import MEASURES
 
 
 def panels(figure: Figure) -> dict[str, Any]:

@@ -22,7 +22,7 @@ from springback.interfaces.reproduction.overview import groups
 from springback.interfaces.reproduction.report import Results
 from springback.paper.resilience import ResilienceResults
 from springback.paper.slider import READINGS, SliderResults
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 from springback.studies.comparison import Mark
 
 HOSTILE = "<script>alert('x')</script> & \"x\""
@@ -171,7 +171,7 @@ def test_the_verdict_follows_the_results(results: SliderResults) -> None:
         replace(row, mark=Mark.CONTRADICTED) if row.quantity == "travel" else row for row in results.rows
     ])  # fmt: skip
     assert verdict(worse) == (
-        "For Quad, 4 of its 6 other printed numbers agree within 5 %. For ARQ, none of the 7 readings of "
+        "For Quad, 4 of its 6 other printed numbers agree within 5 %. For ARQ, none of the 8 readings of "
         "its parameters gives the 4 printed numbers of a test together."
     )
 

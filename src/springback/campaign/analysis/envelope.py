@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.intervals import CONFIDENCE, IntervalEstimate, Values, share
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 from springback.studies.trials import Scatter
 from springback.version import __version__
 

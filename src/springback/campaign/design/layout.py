@@ -47,7 +47,7 @@ from springback.scenario.scenario import Scenario, merge, preset, scenario_from
 from springback.scenario.trust import check_trusted
 from springback.scenario.worlds.imported import world_files
 from springback.settings import Settings
-from springback.simulation.measures import FAILURES, Outcome
+from springback.simulation.measuring.measures import FAILURES, Outcome
 from springback.vehicle.library import VEHICLES
 
 Tables = dict[str, Any]

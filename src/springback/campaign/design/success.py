@@ -13,7 +13,7 @@ from springback.errors import InputError, excerpt
 from springback.problems import nearest_name
 from springback.quantities import si_number
 from springback.results.database import identifier, literal
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 
 _COMPARISON = re.compile(r"\s*(?P<name>[^<>=!]+?)\s*(?P<sign><=|>=|!=|==?|<|>)\s*(?P<limit>.+?)\s*")
 _OUTCOME = re.compile(r"\s*(?P<no>not\s+)?(?P<word>[A-Za-z_]+)\s*")

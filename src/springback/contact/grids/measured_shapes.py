@@ -120,6 +120,10 @@ class GridShape(FormShape):
     def form(self) -> GridForm:
         """Its numbers."""
 
+    def middle_depth(self) -> float:
+        """Depth of its innermost node below its surface [m]."""
+        return self.form().deepest
+
     def bodies(self) -> list[SolidShape]:
         """Its solids."""
         form, axes = self.form(), self.axes()

@@ -15,7 +15,7 @@ from springback.contact.scene.nearest import (
 )
 from springback.contact.scene.sections import vector_at
 from springback.contact.scene.solids import GROUND
-from springback.contact.surfaces import Surface
+from springback.contact.surfaces import Hysteresis, Surface
 from springback.kernels.compiler import kernel
 from springback.kernels.routines import number_at
 from springback.kernels.vectors import Mat3, Vec
@@ -140,6 +140,8 @@ def law_at(hulls: float, block: int) -> HullLaw:
     return HullLaw(
         number_at(hulls, k), number_at(hulls, k + 1), number_at(hulls, k + 2),
         number_at(hulls, k + 3), number_at(hulls, k + 4), number_at(hulls, k + 5),
+        Hysteresis(number_at(hulls, k + 6), number_at(hulls, k + 7), number_at(hulls, k + 8)),
+        number_at(hulls, k + 9),
     )  # fmt: skip
 
 

@@ -9,10 +9,12 @@ the springs.  Two equal bodies thus rebound as each does from a rigid plane at h
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
-from springback.contact.surfaces import AnyExponent, Surface, power
+from springback.contact.surfaces import AnyExponent, Hysteresis, Surface, power
 from springback.kernels.compiler import kernel
+from springback.kernels.trees import replace, tree_map
 from springback.kernels.vectors import larger
 
 
@@ -25,30 +27,76 @@ class HullLaw(NamedTuple):
     friction: float  # μ; −1: the obstacle's alone
     slip_speed: float  # [m/s]; −1: the obstacle's
     exponent: float  # n
+    hysteresis: Hysteresis = Hysteresis(0.0, 0.0, 0.0)
+    alone: float = 0.0  # 1: obstacles are as if rigid
+
+
+def hull_law(numbers: Sequence[float]) -> HullLaw:
+    """Law of the numbers of a hull's surface (`springback.vehicle.force_laws.HullSurface`)."""
+    compliance, d, b, friction, slip_speed, exponent, shape, curve, stays, alone = numbers
+    memory = Hysteresis(shape, curve, stays)
+    return HullLaw(compliance, d, b, friction, slip_speed, exponent, memory, alone)
+
+
+@kernel
+def _both(theirs: Hysteresis, law: HullLaw, share: float) -> Hysteresis:
+    """Memory of both springs, of which the hull's takes a share of the depth.
+
+    At the deepest depth each holds its share of the energy, and returns 1/(1 + s) of that.
+    """
+    ours = law.hysteresis
+    if share == 0.0:
+        return theirs
+    if law.alone > 0.0:
+        return ours
+    returned = share / (1.0 + ours.shape) + (1.0 - share) / (1.0 + theirs.shape)
+    return Hysteresis(1.0 / returned - 1.0, theirs.curve, larger(ours.stays, theirs.stays))
+
+
+class _Springs(NamedTuple):
+    """Spring and damper of both surfaces."""
+
+    stiffness: float
+    dissipation: float
+    viscosity: float
+    exponent: float
+    own_share: float  # of the depth, that of the hull
+
+
+@kernel
+def _springs(surface: Surface, law: HullLaw) -> _Springs:
+    k, d, b = surface.stiffness, surface.dissipation, surface.viscosity
+    n = law.exponent
+    if (law.alone > 0.0) & (k > 0.0):
+        own = _stiffness(law.compliance, n) if law.compliance > 0.0 else k
+        return _Springs(own, law.dissipation, law.viscosity, n, 1.0)
+    if (law.compliance > 0.0) & (k > 0.0):
+        own = _compliance(k, n)
+        both = own + law.compliance
+        here, there = own / both, law.compliance / both
+        d = here * here * d + there * there * law.dissipation
+        b = here * here * b + there * there * law.viscosity
+        return _Springs(_stiffness(both, n), d, b, n, there)
+    return _Springs(k, d, b, surface.exponent.value, 0.0)
 
 
 @kernel
 def in_series(surface: Surface, law: HullLaw) -> Surface:
     """Surface of an obstacle with that of a hull in series.
 
-    A surface of the impulse law has no springs: only its friction is combined.
+    A surface of the impulse law has no springs: only its friction is combined.  A hull whose law is
+    alone meets everything by that; of the obstacle's surface only friction counts.
     """
     friction = surface.friction
     if law.friction >= 0.0:
         friction = math.sqrt(friction * law.friction)
     slip_speed = larger(surface.slip_speed, law.slip_speed)
-    k, d, b = surface.stiffness, surface.dissipation, surface.viscosity
-    if (law.compliance > 0.0) & (k > 0.0):
-        n = law.exponent
-        own = _compliance(k, n)
-        both = own + law.compliance
-        here, there = own / both, law.compliance / both
-        k = 1.0 / power(AnyExponent(n), both)
-        d = here * here * d + there * there * law.dissipation
-        b = here * here * b + there * there * law.viscosity
-    return Surface(
-        k, d, b, surface.exponent, friction, surface.friction_axes, slip_speed, surface.restitution,
-        surface.presliding, surface.rolling,
+    found = _springs(surface, law)
+    return replace(
+        surface, stiffness=found.stiffness, dissipation=found.dissipation,
+        viscosity=found.viscosity, exponent=AnyExponent(found.exponent), friction=friction,
+        slip_speed=slip_speed,
+        hysteresis=tree_map(_both, (surface.hysteresis,), (law, found.own_share)),
     )  # fmt: skip
 
 
@@ -59,3 +107,12 @@ def _compliance(stiffness: float, exponent: float) -> float:
         return 1.0 / stiffness
     found: float = stiffness ** (-1.0 / exponent)
     return found
+
+
+@kernel
+def _stiffness(compliance: float, exponent: float) -> float:
+    """K of its `_compliance`."""
+    if exponent < 1.0:  # a power whose slope is bounded is for depths only
+        found: float = compliance**-exponent
+        return found
+    return 1.0 / power(AnyExponent(exponent), compliance)

@@ -24,7 +24,18 @@ from typing import NamedTuple
 
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import field_of, maximum
-from springback.kernels.vectors import Mat3, Vec
+from springback.kernels.vectors import Mat3, Vec, larger
+
+#: A step is at most this many times the time in which friction stops a cage (chosen: stable up to
+#: 2.785, and at 2.25 the energy ledger of hard impacts is twice as far off).
+FRICTION_SHARE = 2.0
+#: A step is at most this share of the time scale of contacts and end stops, 1/(ω + 2 ζ ω) ...
+CONTACT_SHARE = 0.35
+#: ... and of the time scale of a slip, whose friction may reverse (both chosen:
+#: studies/families.py).
+SLIP_SHARE = 0.25
+PER_FRICTION_SHARE, PER_CONTACT_SHARE = 1.0 / FRICTION_SHARE, 1.0 / CONTACT_SHARE
+PER_SLIP_SHARE = 1.0 / SLIP_SHARE
 
 
 class FrictionDamping(NamedTuple):
@@ -143,6 +154,7 @@ class ArmFrictionRate(NamedTuple):
 
     whole: float
     lean: float  # the part from normals that lean out of the plane
+    any_way: float  # of an arm that moves in any direction, which is in neither of them
 
 
 @kernel
@@ -179,3 +191,16 @@ def friction_rate_bound(
     across = (grip.damper - grip.lean) * per_mass + _tilt_rate_bound(grip, inertia, inverse.across)
     half = 0.5 * (in_plane - across)
     return 0.5 * (in_plane + across) + math.sqrt(half * half + lean_part * across)
+
+
+@kernel
+def stiffness_rate(friction_rate: float, contact_rate: float, slip_rate: float) -> float:
+    """1/h of the longest step h that friction, contacts and slips allow, but at least 1 [1/s].
+
+    Args:
+        friction_rate: By `friction_rate_bound` [1/s].
+        contact_rate: By `contact_rate_bound` [1/s].
+        slip_rate: Of a slip, over its regularised speed [1/s].
+    """
+    stiff = larger(contact_rate * PER_CONTACT_SHARE, slip_rate * PER_SLIP_SHARE)
+    return larger(larger(stiff, friction_rate * PER_FRICTION_SHARE), 1.0)

@@ -22,6 +22,7 @@ from springback.contact.cage import (
     obstacles_in_body_frame,
     obstacles_now,
     per_face,
+    touching_radius,
 )
 from springback.contact.loads import CageContact, contacts_with
 from springback.contact.moving.bodies import ABSENT, BodyPose, MovingBody, body_pose
@@ -36,13 +37,14 @@ from springback.contact.scene.faces import (
     blank_part,
     no_faces,
     part_of,
+    radius_in_scene,
     scene_faces,
 )
 from springback.kernels.compiler import kernel
 from springback.kernels.routines import Routine, call_routine
 from springback.kernels.trees import fold, minimum, tree_map
 from springback.kernels.vectors import Mat3, Vec, norm
-from springback.vehicle.state import ArmPose, BodyState, Bristles
+from springback.vehicle.state import ArmPose, BodyState, PartMemory
 
 #: Number of what is at rest, as a body.
 AT_REST = -1.0
@@ -261,11 +263,17 @@ def _moving_contacts(
     world: MovingInBodyFrame,
     faces: tuple[ContactFace, ...],
     engaged: tuple[float, ...],
-    bristles: tuple[Bristles, ...],
+    memory: PartMemory,
     arm: ArmPose,
     body: BodyMotion,
 ) -> tuple[CageContact, ...]:
-    return contacts_in_scene(world.still, faces, engaged, bristles, arm, body)
+    return contacts_in_scene(world.still, faces, engaged, memory, arm, body)
+
+
+@touching_radius.register(MovingInBodyFrame)
+@kernel
+def _radius_among_moving(world: MovingInBodyFrame, radius: float, caged: float) -> float:
+    return radius_in_scene(world, radius, caged)
 
 
 @lowest_gap.register(MovingInBodyFrame)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from springback.contact.cage import LANDED, BodyMotion, ContactFace
 from springback.contact.laws.bristles import BristleRate
+from springback.contact.laws.hysteresis import no_point
 from springback.contact.laws.step_bounds import ContactStiffness, FrictionDamping
 from springback.contact.loads import (
     CageContact,
@@ -23,7 +24,13 @@ from springback.contact.scene.faces import SceneInBodyFrame
 from springback.kernels.compiler import called_kernel, kernel
 from springback.kernels.trees import tree_map
 from springback.kernels.vectors import Vec
-from springback.vehicle.state import ArmPose, Bristles
+from springback.vehicle.state import (
+    ArmPose,
+    Bristles,
+    PartMemory,
+    PressedPoint,
+    PressedPoints,
+)
 
 
 @kernel
@@ -33,14 +40,20 @@ def _none_held(bristles: Bristles) -> BristleRate:
 
 
 @kernel
-def _no_load(face: ContactFace, bristles: tuple[Bristles, ...]) -> LoadOfFace:
+def _nothing_pressed(pressed: PressedPoints) -> PressedPoint:
+    return no_point()
+
+
+@kernel
+def _no_load(face: ContactFace, memory: PartMemory) -> LoadOfFace:
     """Load of a face that is not touched."""
     none = Vec(0.0, 0.0, 0.0)
     grip = FrictionDamping(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     press = ContactStiffness(0.0, 0.0, 0.0, 0.0)
     grounded = face.is_ground if face.nearest.gap < 0.0 else 0.0
     touch = ContactLoad(none, none, 0.0, none, 0.0, 0.0, grounded, grip, press)
-    return LoadOfFace(touch, 0.0, tree_map(_none_held, (bristles,), ()))
+    bristles = tree_map(_none_held, (memory.bristles,), ())
+    return LoadOfFace(touch, 0.0, bristles, tree_map(_nothing_pressed, (memory.pressed,), ()))
 
 
 @called_kernel
@@ -48,26 +61,26 @@ def _load(
     face: ContactFace,
     relative: ContactMotion,
     engaged: float,
-    bristles: tuple[Bristles, ...],
+    memory: PartMemory,
     arm: ArmPose,
     body: BodyMotion,
 ) -> LoadOfFace:
-    return face_load(face, relative, engaged, bristles, arm, body)
+    return face_load(face, relative, engaged, memory, arm, body)
 
 
 @kernel
 def scene_contact(
     face: ContactFace,
     engaged: float,
-    bristles: tuple[Bristles, ...],
+    memory: PartMemory,
     arm: ArmPose,
     body: BodyMotion,
 ) -> CageContact:
     """Contact of a part with a face, as `springback.contact.loads.face_contact`."""
     relative = motion_beside(face, arm, body)
-    load = _no_load(face, bristles)
+    load = _no_load(face, memory)
     if (face.nearest.gap <= LANDED) & (engaged > 0.0):
-        load = _load(face, relative, engaged, bristles, arm, body)
+        load = _load(face, relative, engaged, memory, arm, body)
     return contact_under(face, relative, load, arm)
 
 
@@ -77,9 +90,9 @@ def contacts_in_scene(
     obstacles: SceneInBodyFrame,
     faces: tuple[ContactFace, ...],
     engaged: tuple[float, ...],
-    bristles: tuple[Bristles, ...],
+    memory: PartMemory,
     arm: ArmPose,
     body: BodyMotion,
 ) -> tuple[CageContact, ...]:
     """Contact of a part with each face of a scene, or of the user's own shapes beside it."""
-    return tree_map(scene_contact, (faces, engaged), (bristles, arm, body))
+    return tree_map(scene_contact, (faces, engaged), (memory, arm, body))

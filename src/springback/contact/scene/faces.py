@@ -11,6 +11,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.contact.cage import (
+    NO_CAGE,
     ArmTip,
     ContactFace,
     NearestFace,
@@ -27,6 +28,7 @@ from springback.contact.cage import (
     per_face,
     simple_face,
     support,
+    touching_radius,
 )
 from springback.contact.obstacles import (
     InBodyFrame,
@@ -63,7 +65,7 @@ from springback.contact.scene.solids import (
     WIDTH,
     solid_face,
 )
-from springback.contact.surfaces import AnyExponent, AnyTangent, Surface
+from springback.contact.surfaces import AnyExponent, AnyTangent, Hysteresis, Surface
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.routines import Routine, call_routine, number_at
 from springback.kernels.trees import minimum, tree_map
@@ -79,8 +81,8 @@ APART = 1e-3
 #: Tolerance within which a point of one solid is on the surface of all [m].
 ON_SURFACE = 1e-9
 
-#: Numbers of a surface.
-SURFACE_WIDTH = 10
+#: Numbers of a surface, and the place of the address of its curve among them.
+SURFACE_WIDTH, SURFACE_CURVE = 13, 11
 #: Kinds of parts, by number.
 RING, TIP, SPHERE, DISC = 0.0, 1.0, 2.0, 3.0
 #: Gaps of a propeller above this are lower bounds [m] (chosen: only hits are looked for).
@@ -97,6 +99,7 @@ class SolidScene(NamedTuple):
     hull_query: float = 0.0  # of `springback.contact.hulls.compound.scene_hull_faces`
     rounding: float = 0.0  # of rings that are hulls [rad]
     bristles: float = 0.0  # 1 if a surface has any
+    remembers: float = 0.0  # 1 if a surface remembers the deepest depth
 
 
 class SceneInBodyFrame(NamedTuple):
@@ -146,6 +149,7 @@ def surface_at(table: float, row: int) -> Surface:
         AnyExponent(number_at(table, k + 3)), number_at(table, k + 4),
         AnyTangent(number_at(table, k + 5)), number_at(table, k + 6), number_at(table, k + 7),
         number_at(table, k + 8), number_at(table, k + 9),
+        (Hysteresis(number_at(table, k + 10), number_at(table, k + 11), number_at(table, k + 12)),),
     )  # fmt: skip
 
 
@@ -153,7 +157,10 @@ def surface_at(table: float, row: int) -> Surface:
 def no_face() -> ContactFace:
     """A face out of reach."""
     none = Vec(0.0, 0.0, 0.0)
-    surface = Surface(0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, AnyTangent(0.0), 1.0, -1.0, 0.0, 0.0)
+    surface = Surface(
+        0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, AnyTangent(0.0), 1.0, -1.0, 0.0, 0.0,
+        (Hysteresis(0.0, 0.0, 0.0),),
+    )  # fmt: skip
     nearest = simple_face(FAR, Vec(0.0, 0.0, 1.0), Support(none, none, none, 0.0))
     return ContactFace(nearest, surface, 0.0, ())
 
@@ -362,6 +369,8 @@ def _with_disc(found: ThreeFaces, part: VehiclePart, near: NearestSolids, row: i
 def scene_faces(part: VehiclePart) -> ThreeFaces:
     """The faces that a part of a vehicle meets, or is next to, in body axes."""
     table = part.table
+    if part.radius < 0.0:  # it is no cage
+        return no_faces()
     found = _with_half_spaces(no_faces(), part)
     if number_at(table, SOLIDS) > 0.0:
         centre = part.position + part.r @ part.pose.lever
@@ -392,15 +401,6 @@ def blank_part() -> VehiclePart:
 
 #: `scene_faces`, compiled once for all vehicles and worlds.
 SCENE_FACES = Routine(scene_faces, blank_part())
-
-
-def distance_of(scene: SolidScene, point: Vec) -> float:
-    """Distance of a point from the nearest obstacle of a scene [m]."""
-    table = scene.table
-    rows = (HEADER + WIDTH * k for k in range(int(number_at(table, HALF_SPACES))))
-    gaps = [solid_face(table, row, point).gap for row in rows]
-    gaps += [signed_distance(one.shape, point) for one in scene.own]
-    return min([nearest_solid(table, point).gap, *gaps])
 
 
 @generic
@@ -468,6 +468,13 @@ def _scene_contact_faces(
         found = _found_faces(scene, contact_point, radius, arm)
     own = tree_map(face_of, (scene.own,), (contact_point, radius, arm))
     return (found.first, found.second, found.third) + own  # noqa: RUF005
+
+
+@touching_radius.register(SceneInBodyFrame)
+@kernel
+def radius_in_scene(scene: Any, radius: float, caged: float) -> float:
+    """Radius of the circle that touches a scene [m]; arguments as for `touching_radius`."""
+    return radius if caged > 0.0 else NO_CAGE
 
 
 @lowest_gap.register(SceneInBodyFrame)

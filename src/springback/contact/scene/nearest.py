@@ -5,7 +5,7 @@ Nodes are numbered as in a heap: node k has the children 2k and 2k + 1, and leav
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from springback.contact.obstacles import outward_normal, signed_distance
 from springback.contact.rings import FAR
@@ -152,3 +152,12 @@ def _near_distance(near: NearestSolids, point: Vec) -> float:
 @kernel
 def _near_normal(near: NearestSolids, point: Vec) -> Vec:
     return solid_face(near.table, nearest_of(near, point).row, point).normal
+
+
+def distance_of(scene: Any, point: Vec) -> float:
+    """Distance of a point from the nearest obstacle of a scene [m]."""
+    table = scene.table
+    rows = (HEADER + WIDTH * k for k in range(int(number_at(table, HALF_SPACES))))
+    gaps = [solid_face(table, row, point).gap for row in rows]
+    gaps += [signed_distance(one.shape, point) for one in scene.own]
+    return min([nearest_solid(table, point).gap, *gaps])

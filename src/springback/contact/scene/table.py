@@ -8,7 +8,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.contact.obstacles import Obstacle
-from springback.contact.scene.faces import SCENE_FACES, SURFACE_WIDTH, SolidScene
+from springback.contact.scene.faces import (
+    SCENE_FACES,
+    SURFACE_CURVE,
+    SURFACE_WIDTH,
+    SolidScene,
+)
 from springback.contact.scene.nearest import (
     HALF_SPACES,
     HEADER,
@@ -36,7 +41,7 @@ from springback.contact.scene.solids import (
     TORUS,
     WIDTH,
 )
-from springback.contact.surfaces import AnyExponent, AnyTangent, Surface
+from springback.contact.surfaces import AnyExponent, AnyTangent, Surface, remembers
 from springback.kernels.routines import NumberTable
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -102,11 +107,15 @@ def scene_of(
         for row, k in enumerate(order)
         if solids[k].kind in WITH_TABLE
     }
-    bristles = 1.0 if any(one.presliding > 0.0 for one in surfaces) else 0.0
+    for k, surface in enumerate(surfaces):
+        place = int(numbers[SURFACES]) + SURFACE_WIDTH * k + SURFACE_CURVE
+        parts[place] = surface.hysteresis[0].curve
     shared = {place: table for place, table in parts.items() if isinstance(table, NumberTable)}
     return SolidScene(
-        NumberTable(numbers, shared), SCENE_FACES.address, own, 0.0, bristles=bristles
-    )
+        NumberTable(numbers, shared), SCENE_FACES.address, own, 0.0,
+        bristles=1.0 if any(one.presliding > 0.0 for one in surfaces) else 0.0,
+        remembers=1.0 if any(map(remembers, surfaces)) else 0.0,
+    )  # fmt: skip
 
 
 def _numbers(solids: Sequence[Solid], surfaces: Sequence[Surface]) -> tuple[Array, list[int]]:
@@ -132,9 +141,11 @@ def _surface_numbers(s: Surface) -> list[float]:
     exponent, axes = s.exponent, s.friction_axes
     assert isinstance(exponent, AnyExponent)
     assert isinstance(axes, AnyTangent)
+    [memory] = s.hysteresis
     numbers = [
         s.stiffness, s.dissipation, s.viscosity, exponent.value, s.friction, axes.vertical,
         s.slip_speed, s.restitution, s.presliding, s.rolling,
+        memory.shape, memory.curve, memory.stays,
     ]  # fmt: skip
     assert len(numbers) == SURFACE_WIDTH
     return numbers

@@ -12,8 +12,17 @@ from scipy.spatial import ConvexHull
 
 from springback.interfaces.replay.geometry import Drawable
 from springback.interfaces.replay.hull_meshes import HullMesh
-from springback.interfaces.replay.scene import ArmShape, HullShape, Scene
+from springback.interfaces.replay.scene import (
+    ArmShape,
+    HullShape,
+    JointShape,
+    NeighbourShape,
+    RotorShape,
+    Scene,
+)
 from springback.interfaces.replay.tracks import BodyTrack, turned_by
+from springback.kernels.vectors import Vec
+from springback.vehicle.placed.settings import disc_axes
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Cells = np.ndarray[Any, np.dtype[np.intp]]
@@ -22,6 +31,8 @@ Cells = np.ndarray[Any, np.dtype[np.intp]]
 BODY, BODY_HEIGHT, MAST = 0.055, 0.018, 0.07
 #: Chosen: coils of a spring, their radius [m], and their distance from the rotor [m].
 COILS, COIL_RADIUS, COIL_END = 7, 0.013, 0.03
+#: Chosen: radius of the coils between arms, as a share of those in arms.
+NEIGHBOUR_COILS = 0.6
 CIRCLE = np.linspace(0.0, 2.0 * np.pi, 49)
 HELIX = np.linspace(0.0, 1.0, 16 * COILS + 1)
 EDGE_ON = 0.2
@@ -190,28 +201,142 @@ def _normal(scene: Scene, point: Array, force: Array) -> Array:
 
 
 def ring(centre: Array, radius: float, turn: Array) -> Array:
-    """Circle around a point in the plane of the arms, shape (points, 3)."""
+    """Circle around a point in the plane of x and y of some axes, shape (points, 3)."""
     return centre + radius * np.stack([np.cos(CIRCLE), np.sin(CIRCLE)], axis=1) @ turn[:, :2].T
 
 
+class EndPlace(NamedTuple):
+    """Where the end of an arm is at one instant, with its cage; world axes."""
+
+    position: Array  # [m]
+    rotation: Array  # of what is there, its axes to the world's, shape (3, 3)
+
+
+class RotorPlace(NamedTuple):
+    """Where a rotor is at one instant; world axes."""
+
+    position: Array  # [m]
+    thrust: Array  # direction of its thrust
+    disc: Array  # circle that its blades sweep, shape (points, 3); empty at the ends of arms [m]
+
+
 def ends(arms: Sequence[ArmShape], now: SceneInstant, *, free: bool = False) -> Array:
-    """Ends of the arms, with cages and rotors, at present or at free length, shape (arms, 3)."""
+    """Ends of the arms, with their cages, at present or at free length, shape (arms, 3)."""
     lengths = np.array([arm.length for arm in arms]) if free else now.lengths
-    directions = np.array([arm.direction for arm in arms])
-    return np.asarray(now.position + (lengths[:, None] * directions) @ now.rotation.T)
+    levers = [arm.path(lengths[[j]]).end[0] for j, arm in enumerate(arms)]
+    return np.asarray(now.position + np.array(levers) @ now.rotation.T)
+
+
+def end_places(
+    arms: Sequence[ArmShape], now: SceneInstant, *, free: bool = False
+) -> list[EndPlace]:
+    """Ends of the arms as by `ends`, and how they are turned."""
+    lengths = np.array([arm.length for arm in arms]) if free else now.lengths
+    found = []
+    for arm, tip, length in zip(arms, ends(arms, now, free=free), lengths, strict=True):
+        turn = now.rotation
+        if arm.joint:
+            turn = turn @ arm.path(np.array([length])).turn[0]
+        found.append(EndPlace(tip, turn))
+    return found
+
+
+def rotor_places(
+    rotors: Sequence[RotorShape], ends_of_arms: Sequence[EndPlace], now: SceneInstant
+) -> list[RotorPlace]:
+    """Where the rotors are, by the ends of the arms."""
+    found = []
+    for one in rotors:
+        there = EndPlace(now.position, now.rotation) if one.arm < 0 else ends_of_arms[one.arm]
+        aim = now.rotation if one.level else there.rotation
+        place = there.position + there.rotation @ np.array(one.offset)
+        turn = aim @ np.array(disc_axes(Vec(*one.axis)))
+        disc = ring(place, one.radius, turn)[: None if one.listed else 0]
+        found.append(RotorPlace(place, turn[:, 2], disc))
+    return found
+
+
+def hinges(arms: Sequence[ArmShape], now: SceneInstant) -> Array:
+    """Hinges of the arms that have one and can turn, world [m], shape (hinges, 3)."""
+    anchors = [arm.joint[0].anchor for arm in arms if is_hinged(arm)]
+    return np.asarray(now.position + np.array(anchors).reshape(-1, 3) @ now.rotation.T)
+
+
+def is_hinged(arm: ArmShape) -> bool:
+    """True for an arm that turns about a hinge."""
+    return arm.compliant and any(joint.is_hinge for joint in arm.joint)
+
+
+class LatchPlace(NamedTuple):
+    """Where the two faces of a latch are at one instant; world [m]."""
+
+    on_body: Array
+    on_arm: Array
+    is_open: bool
+
+
+def latches(arms: Sequence[ArmShape], now: SceneInstant) -> list[LatchPlace]:
+    """Faces of the latches of arms: together while the arm is free."""
+    found = []
+    for arm, length in zip(arms, now.lengths.tolist(), strict=True):
+        for latch in arm.latch:
+            free, there = (arm.path(np.array([one])) for one in (arm.length, length))
+            face = np.array(latch.face)
+            moved = there.end[0] + there.turn[0] @ (face - free.end[0])
+            held, moving = now.position + np.array([face, moved]) @ now.rotation.T
+            found.append(LatchPlace(held, moving, arm.is_open(length)))
+    return found
+
+
+def neighbour_lines(
+    neighbours: Sequence[NeighbourShape], arms: Sequence[ArmShape], now: SceneInstant
+) -> list[Array]:
+    """Lines of the springs between the ends of arms, helices with straight ends, world [m]."""
+    tips, found = ends(arms, now), []
+    for one in neighbours:
+        begin, end = tips[one.first], tips[one.second]
+        length = float(np.linalg.norm(end - begin))
+        along = (end - begin) / max(length, SAME)
+        aside = np.cross(now.rotation[:, 2], along)
+        straight = min(COIL_END, 0.25 * length)
+        reach = straight + HELIX * (length - 2.0 * straight)
+        coils = NEIGHBOUR_COILS * _coils(aside, now.rotation[:, 2])
+        found.append(np.vstack([begin, begin + np.outer(reach, along) + coils, end]))
+    return found
 
 
 def arm_line(arm: ArmShape, now: SceneInstant, length: float) -> Array:
-    """Line of an arm from the main body to the rotor: a helix if compliant, else straight."""
+    """Line of an arm from the main body to its end: a helix for a spring on a slide."""
+    if arm.joint:
+        return _line_on_joint(arm, arm.joint[0], now, length)
     along = now.rotation @ np.array(arm.direction)
     if not arm.compliant:
         return now.position + np.outer([0.0, length], along)
     across = np.cross(now.rotation[:, 2], along)
     reach = BODY + HELIX * (length - BODY - COIL_END)
-    turn = 2.0 * np.pi * COILS * HELIX
-    around = np.outer(np.sin(turn), across) + np.outer(1.0 - np.cos(turn), now.rotation[:, 2])
-    spiral = now.position + np.outer(reach, along) + COIL_RADIUS * around
+    spiral = now.position + np.outer(reach, along) + _coils(across, now.rotation[:, 2])
     return np.vstack([now.position, spiral, now.position + length * along])
+
+
+def _line_on_joint(arm: ArmShape, joint: JointShape, now: SceneInstant, length: float) -> Array:
+    """Line of an arm on a joint: by way of its hinge, or of the seat of its spring."""
+    there = arm.path(np.array([length]))
+    begin, end = np.zeros(3), there.end[0]
+    places = [begin, end] if not arm.compliant else [begin, np.array(joint.anchor), end]
+    if arm.compliant and not joint.is_hinge:
+        _, seat, _ = places
+        along, aside = there.direction[0], np.array(joint.path.inward)
+        reach = HELIX * (float((end - seat) @ along) - COIL_END)
+        spiral = seat + np.outer(reach, along) + _coils(np.cross(aside, along), aside)
+        places = [begin, *spiral, end]
+    return np.asarray(now.position + np.array(places) @ now.rotation.T)
+
+
+def _coils(across: Array, up: Array) -> Array:
+    """Coils of a spring about its axis, shape (points, 3) [m]."""
+    turn = 2.0 * np.pi * COILS * HELIX
+    around = np.outer(np.sin(turn), across) + np.outer(1.0 - np.cos(turn), up)
+    return np.asarray(COIL_RADIUS * around)
 
 
 def body_outline(now: SceneInstant) -> tuple[Array, Array]:
@@ -226,14 +351,12 @@ def hull_outline(hull: HullShape, now: SceneInstant, view: ViewPlane) -> Array:
     Rows of NaN part them.
     """
     if hull.meshes:
-        return outlines_of(hull.meshes, now.position, now, view)
+        return outlines_of(hull.meshes, now.position, now.rotation, view)
     centre = view(now.position + now.rotation @ np.array(hull.centre))
     return centre + hull.radius * np.stack([np.cos(CIRCLE), np.sin(CIRCLE)], axis=1)
 
 
-def outlines_of(
-    meshes: Sequence[HullMesh], origin: Array, now: SceneInstant, view: ViewPlane
-) -> Array:
+def outlines_of(meshes: Sequence[HullMesh], origin: Array, turn: Array, view: ViewPlane) -> Array:
     """Outlines of hulls in the plane of a view, with a row of NaN behind each, shape (points, 2).
 
     A ring is outlined as the plate that it is around.
@@ -241,12 +364,12 @@ def outlines_of(
     Args:
         meshes: Of the hulls.
         origin: What they are fixed to, world [m].
-        now: The instant.
+        turn: Axes of that, to the world's.
         view: The plane.
     """
     found = [np.zeros((0, 2))]
     for mesh in meshes:
-        flat = view(origin + mesh.vertices @ now.rotation.T)
+        flat = view(origin + mesh.vertices @ turn.T)
         loop = ConvexHull(flat).vertices
         found += [flat[[*loop, loop[0]]], np.full((1, 2), np.nan)]
     return np.vstack(found)

@@ -56,7 +56,7 @@ class Frame:
         self.said: list[list[Any]] = []
         """Lines with numbers, of each robot of each world."""
         self.panels = [self._column(k) for k in range(len(self.worlds))]
-        self.reach = max(arm.length + arm.cage_radius for s in scenes for arm in s.arms)
+        self.reach = max(arm.reach + arm.cage_radius for s in scenes for arm in s.arms)
         self.ways = [[self._way(panel) for panel in column] for column in self.panels]
         self.curve = _Curve(self)
         self.words = [self._word(0.012, "left"), self._word(0.988, "right")]
@@ -213,7 +213,7 @@ def _caption(scene: Scene, now: SceneInstant) -> str:
     """Sum of all contact forces, and compression of the arms, in one line."""
     said = f"contact, sum {float(_size(now.force.sum(axis=0))):.0f} N"
     if any(arm.compliant for arm in scene.arms):
-        pressed = [arm.length - v for arm, v in zip(scene.arms, now.lengths, strict=True)]
+        pressed = [arm.yielding(v) for arm, v in zip(scene.arms, now.lengths, strict=True)]
         said += f", arms give {1e3 * max(*pressed, 0.0):.1f} mm"
     return said
 

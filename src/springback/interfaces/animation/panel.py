@@ -22,18 +22,23 @@ from springback.interfaces.animation.bodies import (
     arm_line,
     at_instant,
     body_outline,
-    ends,
+    end_places,
     half_plane,
+    hinges,
     hull_outline,
+    is_hinged,
+    latches,
+    neighbour_lines,
     outlines_of,
     plane_section,
     ring,
+    rotor_places,
     section_outlines,
     silhouette,
 )
 from springback.interfaces.output.robots import GREEN, GREY, INK, ORANGE
 from springback.interfaces.replay.geometry import Drawable
-from springback.interfaces.replay.scene import Scene
+from springback.interfaces.replay.scene import ArmShape, Scene
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Outlines = Callable[[Drawable, ViewPlane], list[Array]]
@@ -201,12 +206,18 @@ class RobotLines:
         dotted: dict[str, Any] = {"color": GREY, "lw": 0.9 * unit, "ls": (0, (2, 2))}
         self.free = [panel.line(**dotted) for _ in arms]
         self.cages = [panel.line(color=INK, lw=1.5 * unit) for _ in arms]
-        widths = [1.2 if arm.compliant else 3.0 for arm in scene.arms]
-        self.arms = [panel.line(color=colour, lw=width * unit) for width in widths]
+        self.arms = [panel.line(color=colour, lw=width_of(arm) * unit) for arm in scene.arms]
         bar: dict[str, Any] = {"color": GREEN, "lw": 2.6 * unit, "solid_capstyle": "butt"}
-        self.thrusts = [panel.line(**bar) for _ in arms]
+        self.discs = [panel.line(color=GREEN, lw=0.8 * unit) for _ in scene.rotors]
+        self.thrusts = [panel.line(**bar) for _ in scene.rotors]
         self.hull = [panel.line(color=INK, lw=0.9 * unit, alpha=0.6) for _ in scene.hull]
         self.at_ends = [panel.line(color=INK, lw=0.9 * unit, alpha=0.6) for _ in arms]
+        pin: dict[str, Any] = {"color": INK, "ls": "none", "marker": "o", "ms": 4.0 * unit}
+        self.hinges = panel.line(**pin) if any(map(is_hinged, scene.arms)) else None
+        coil: dict[str, Any] = {"color": GREY, "lw": 1.0 * unit}
+        self.neighbours = [panel.line(**coil) for _ in scene.neighbours]
+        face: dict[str, Any] = {"lw": 2.2 * unit, "marker": "s", "ms": 4.5 * unit, "mec": INK}
+        self.latches = [panel.line(**face) for arm in scene.arms for _ in arm.latch]
         self.mast = panel.line(color=INK, lw=1.4 * unit)
         self.body = Polygon(np.zeros((3, 2)), fc=colour, ec=INK, lw=0.8 * unit)
         panel.animate(panel.ax.add_patch(self.body))
@@ -220,23 +231,44 @@ class RobotLines:
         """
         view, scene = self.view, self.scene
         self.trail.set_data(*view(np.vstack([past, now.position])).T)
-        tips, free = ends(scene.arms, now), ends(scene.arms, now, free=True)
-        for j, arm in enumerate(scene.arms):
-            rest = ring(free[j], arm.cage_radius, now.rotation)
+        places = end_places(scene.arms, now)
+        free = end_places(scene.arms, now, free=True)
+        for j, (arm, tip) in enumerate(zip(scene.arms, places, strict=True)):
+            points = None if arm.caged else 0
+            rest = ring(free[j].position, arm.cage_radius, free[j].rotation)[:points]
             pressed = abs(arm.length - now.lengths[j]) > PRESSED
             self.free[j].set_data(*view(rest if pressed else rest[:0]).T)
-            self.cages[j].set_data(*view(ring(tips[j], arm.cage_radius, now.rotation)).T)
+            cage = ring(tip.position, arm.cage_radius, tip.rotation)[:points]
+            self.cages[j].set_data(*view(cage).T)
             self.arms[j].set_data(*view(arm_line(arm, now, now.lengths[j])).T)
-            bar = THRUST_BAR * now.thrust[j] / max(scene.max_thrust, 1e-9) * now.rotation[:, 2]
-            self.thrusts[j].set_data(*view(np.array([tips[j], tips[j] + bar])).T)
+        rotors = rotor_places(scene.rotors, places, now)
+        for line, circle, thrust, rotor in zip(
+            self.thrusts, self.discs, now.thrust, rotors, strict=True
+        ):
+            circle.set_data(*view(rotor.disc).T)
+            bar = THRUST_BAR * thrust / max(scene.max_thrust, 1e-9) * rotor.thrust
+            line.set_data(*view(np.array([rotor.position, rotor.position + bar])).T)
         for line, shape in zip(self.hull, scene.hull, strict=True):
             line.set_data(*hull_outline(shape, now, view).T)
-        for line, arm, origin in zip(self.at_ends, scene.arms, tips, strict=True):
-            line.set_data(*outlines_of(arm.hulls, origin, now, view).T)
+        for line, arm, tip in zip(self.at_ends, scene.arms, places, strict=True):
+            line.set_data(*outlines_of(arm.hulls, tip.position, tip.rotation, view).T)
+        if self.hinges is not None:
+            self.hinges.set_data(*view(hinges(scene.arms, now)).T)
+        coils = neighbour_lines(scene.neighbours, scene.arms, now)
+        for line, coil_points in zip(self.neighbours, coils, strict=True):
+            line.set_data(*view(coil_points).T)
+        for line, latch in zip(self.latches, latches(scene.arms, now), strict=True):
+            line.set_data(*view(np.array([latch.on_body, latch.on_arm])).T)
+            line.set(color="none" if latch.is_open else INK, mfc=ORANGE if latch.is_open else INK)
         mast = np.array([now.position, now.position + MAST * now.rotation[:, 2]])
         self.mast.set_data(*view(mast).T)
         rims = view(np.vstack(body_outline(now)))
         self.body.set_xy(rims[ConvexHull(rims).vertices])
+
+
+def width_of(arm: ArmShape) -> float:
+    """Width of the line of an arm: a spring is thin, a strut is not."""
+    return 1.2 if arm.compliant and not is_hinged(arm) else 3.0
 
 
 def _behind(depth: float, thing: Drawable, view: ViewPlane) -> list[Array]:

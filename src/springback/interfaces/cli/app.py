@@ -24,6 +24,7 @@ from springback.interfaces.cli.common import say
 from springback.interfaces.cli.envelope import map_command
 from springback.interfaces.cli.examples import examples, new
 from springback.interfaces.cli.fly import fly
+from springback.interfaces.cli.identify.logs import identify
 from springback.interfaces.cli.lab import lab
 from springback.interfaces.cli.reproduce import reproduce
 from springback.interfaces.cli.show import doctor, show, world
@@ -45,7 +46,7 @@ def cli() -> None:
 
 for command in (
     fly, check, reproduce, show, doctor, campaign, query, refly, summary, examples, new,
-    animate, lab, map_command, study, trust, view, world,
+    animate, lab, map_command, study, trust, view, world, identify,
 ):  # fmt: skip
     cli.add_command(command)
 

@@ -27,9 +27,10 @@ if TYPE_CHECKING:
 def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
     """Check a scenario, a plan, or code of your own, before it is flown for long.
 
-    A scenario or a plan is refused for all that a flight would refuse it for. Numbers that follow
-    from it are printed: mass, share of the thrust in hover, natural frequency and damping ratio of
-    the arms, the speed that uses up their stroke, gaps between cages; and warnings.
+    A scenario, a plan or the file of a vehicle is refused for all that a flight would refuse it
+    for. Numbers that follow from it are printed: mass, share of the thrust in hover, natural
+    frequency and damping ratio of the arms, the speed that uses up their stroke, gaps between
+    cages; and warnings.
 
     A pilot is tested for properties that every pilot should have: at rest at the start of the
     SCENARIO (by default quad at [0, 0, 1] m) it must hover. The exit code is 1 if one fails.
@@ -51,6 +52,7 @@ def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
     springback check my_obstacle.py:Pole x=2.75 y=0 radius=0.05
     springback check my_detector.py:jolt threshold=25
     """
+    from springback.scenario.files import has_vehicle_only
     from springback.scenario.source_text import source_text, toml_tables
 
     if Path(file).suffix != ".toml":
@@ -59,6 +61,8 @@ def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
     tables = toml_tables(source_text(Path(file)), file)
     if "scenario" in tables or "method" in tables:
         _check_plan(Path(file), more, terminal)
+    elif has_vehicle_only(tables):
+        _check_vehicle(Path(file), more, terminal)
     else:
         _check_scenario(Path(file), more, terminal)
 
@@ -77,6 +81,19 @@ def _check_scenario(path: Path, overrides: Sequence[str], terminal: Terminal) ->
     data = {"kind": "scenario", "derived": numbers, "warnings": warnings}
     terminal.print(data, "\n".join(_lines(numbers)))
     _conclude(f"{path} can be flown", warnings, terminal)
+
+
+def _check_vehicle(path: Path, overrides: Sequence[str], terminal: Terminal) -> None:
+    """Check a vehicle alone, in a world without obstacles."""
+    from springback.scenario.files import checked_scenario
+    from springback.scenario.overrides import apply_overrides
+
+    overrides = [f"vehicle.{word}" for word in overrides]
+    given = apply_overrides({"vehicle": str(path.absolute())}, overrides)
+    numbers, warnings = _findings(checked_scenario(given, str(path), "", overrides))
+    data = {"kind": "vehicle", "derived": numbers, "warnings": warnings}
+    terminal.print(data, "\n".join(_lines(numbers)))
+    _conclude(f'{path} can be flown: vehicle = "{path.name}" in a scenario', warnings, terminal)
 
 
 def _findings(scenario: Scenario) -> tuple[list[dict[str, Any]], list[str]]:

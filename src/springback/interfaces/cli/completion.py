@@ -113,12 +113,16 @@ def complete_checked(
 
 
 def presets(kind: str = "") -> list[str]:
-    """Names of presets of a kind (vehicle, surface, estimator), or of all."""
+    """Names of presets of a kind (vehicle, surface, estimator, material), or of all."""
     from springback.contact.library import SURFACES
     from springback.sensing.library import ESTIMATORS
     from springback.vehicle.library import VEHICLES
+    from springback.vehicle.materials import MATERIALS
 
-    known = {"vehicle": [*VEHICLES], "surface": [*SURFACES], "estimator": [*ESTIMATORS]}
+    known = {
+        "vehicle": [*VEHICLES], "surface": [*SURFACES], "estimator": [*ESTIMATORS],
+        "material": [*MATERIALS],
+    }  # fmt: skip
     return [name for key in known if kind in ("", key) for name in known[key]]
 
 

@@ -7,24 +7,30 @@ import re
 import shlex
 import shutil
 import sys
+from collections.abc import Mapping
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import click
 
 from springback.interfaces.cli.common import (
     PATH,
+    Command,
     Output,
     Terminal,
     output_options,
+    say,
     terminal_options,
 )
+
+if TYPE_CHECKING:
+    from springback.interfaces.cli.design.sizes import VehicleAnswer
 
 #: The package, and possible folders of the examples: in the package, or in a checkout.
 PACKAGE = Path(__file__).parents[2]
 PLACES = (PACKAGE / "examples", PACKAGE.parents[1] / "examples")
 #: Suffixes of examples, and of what they name.
-SUFFIXES = (".toml", ".py", ".sdf")
+SUFFIXES = (".toml", ".py", ".sdf", ".csv")
 
 
 def examples_folder() -> Path:
@@ -131,20 +137,45 @@ TEMPLATES = {
 """What ``springback new`` knows, by kind."""
 
 
+#: Questions about a vehicle, in their order, and the help of their options.
+ABOUT_A_VEHICLE = {
+    "mass": "Of a vehicle, ready to fly: 600g.",
+    "arms": "Arms of a vehicle, each with a propeller: 4, 6, 8, 10 or 12.",
+    "propeller": "Diameter of a propeller: 5in.",
+    "guard": "Radius of the guard around each propeller: 70mm; or none.",
+    "spring": 'Way that an arm gives in at a wall: "25mm at 2m/s"; or none.',
+    "span": "Between opposite propellers, axis to axis: 300mm.",
+}
+#: Wrong answers to a question after which no more are asked (chosen).
+MOST_WRONG = 3
+
+
+def _vehicle_options(command: Command) -> Command:
+    """An option for each question."""
+    for name, text in reversed(ABOUT_A_VEHICLE.items()):
+        command = click.option(f"--{name}", metavar="TEXT", help=text)(command)
+    return command
+
+
 @click.command()
 @click.argument("kind", type=click.Choice(list(TEMPLATES)))
 @click.argument("name", required=False)
 @click.option("--compiled", is_flag=True, help="A pilot that is compiled.")
+@_vehicle_options
+@click.option("--template", is_flag=True, help="A vehicle with every key, without questions.")
 @click.option("--out", type=PATH, metavar="FILE", help="File to write; by default NAME, here.")
 @terminal_options("force", "quiet")
 def new(
-    kind: str, name: str | None, compiled: bool, out: Path | None, force: bool, terminal: Terminal
-) -> None:
+    kind: str, name: str | None, compiled: bool, template: bool, out: Path | None, force: bool,
+    terminal: Terminal, **answers: str | None,
+) -> None:  # fmt: skip
     """Write a commented file that works at once, to start from: a vehicle, a pilot, ...
 
     \b
-    vehicle    a scenario with a [vehicle] of four compliant arms: each number with unit and range,
-               and where to get it
+    vehicle    a scenario with a [vehicle]. At a terminal, or with some of the options --mass to
+               --span, it is one of these answers, and comments say what was given, what is derived
+               from it and what is chosen; else, or with --template, four compliant arms: every key
+               with unit and range, and where to get it
     pilot      a pilot in plain Python, or --compiled, and a scenario for it
     estimator  an estimator for springback's pilot, and a scenario that hovers by it
     detector   a detector of collisions for it, and a scenario that flies into a wall
@@ -152,29 +183,38 @@ def new(
     campaign   a plan, here a design study, and a scenario with a vehicle for it
 
     \b
-    springback new vehicle hexa
+    springback new vehicle hexa --mass 600g --arms 6 --propeller 5in
     springback new pilot hover --compiled
     """
     from springback.errors import InputError
     from springback.files import write_atomically
 
-    template = TEMPLATES[kind]
+    files = TEMPLATES[kind]
     if compiled and kind != "pilot":
         raise InputError(f"--compiled belongs to a pilot, not to a {kind}")
+    given = {key: text for key, text in answers.items() if text is not None}
+    if (given or template) and kind != "vehicle":
+        raise InputError(f"--{next(iter(given), 'template')} belongs to a vehicle, not to a {kind}")
+    if given and template:
+        raise InputError(f"--template and --{next(iter(given))}: give only one")
     if name is not None and out is not None:
         raise InputError(f"NAME {name} and --out {out}: give only one")
-    suffix = next(iter(template.files))
+    suffix = next(iter(files.files))
     path = out or Path(f"{(name or f'own_{kind}').removesuffix(suffix)}{suffix}")
     if path.suffix != suffix:
         raise InputError(f"--out {path}: must end in {suffix}")
     _check_name(path.stem, "--out" if out else "NAME", is_module=suffix == ".py")
-    written = {
-        path.with_name(path.stem + end): _renamed(source, kind, path.stem, compiled)
-        for end, source in template.files.items()
-    }
-    there = [str(one) for one in written if one.exists() or one.is_symlink()]
+    names = {path.with_name(path.stem + end): source for end, source in files.files.items()}
+    there = [str(one) for one in names if one.exists() or one.is_symlink()]
     if there and not force:
         raise InputError(f"{there[0]}: already exists; give another name, or --force")
+    asks = kind == "vehicle" and not template and is_asking()
+    if given or asks:
+        written = {path: _vehicle_of_answers(path.stem, given, asks=asks)}
+    else:
+        written = {
+            one: _renamed(source, kind, path.stem, compiled) for one, source in names.items()
+        }
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         for one, text in written.items():
@@ -186,9 +226,56 @@ def new(
         {"files": [str(one) for one in written]}, f"written: {', '.join(map(str, written))}"
     )
     terminal.note(
-        "next:\n"
-        + "\n".join(f"  {line.format(stem=stem, folder=folder)}" for line in template.next)
+        "next:\n" + "\n".join(f"  {line.format(stem=stem, folder=folder)}" for line in files.next)
     )
+
+
+def is_asking() -> bool:
+    """True at a terminal, where questions can be answered."""
+    streams = (sys.stdin, sys.stderr)
+    return all(stream is not None and stream.isatty() for stream in streams)
+
+
+def _vehicle_of_answers(name: str, given: Mapping[str, str], *, asks: bool) -> str:
+    """Text of a scenario with a vehicle of some answers; what is not given is asked or usual."""
+    from springback.errors import InputError
+    from springback.interfaces.cli.design.answers import QUESTIONS, answer_to
+    from springback.interfaces.cli.design.sizes import sizes_of
+    from springback.interfaces.cli.design.vehicle_text import vehicle_text
+    from springback.scenario.scenario import scenario_from
+    from springback.scenario.source_text import toml_tables
+
+    known: dict[str, VehicleAnswer] = {}
+    if asks and len(given) < len(QUESTIONS):
+        say("Numbers with a unit; Enter takes what is in brackets.")
+    for key in QUESTIONS:
+        if key in given or not asks:
+            known[key] = answer_to(key, given.get(key), known)
+        else:
+            known[key] = _asked(key, known)
+    text = vehicle_text(name, known, sizes_of(known))
+    try:
+        scenario_from(toml_tables(text, name))
+    except InputError as error:
+        raise InputError(f"these answers do not fit together: {error.problems[0]}") from None
+    return text
+
+
+def _asked(key: str, known: dict[str, VehicleAnswer]) -> VehicleAnswer:
+    """Answer to a question at a terminal; a wrong one is asked for again."""
+    from springback.errors import InputError
+    from springback.interfaces.cli.design.answers import QUESTIONS, answer_to
+
+    usual = answer_to(key, None, known)
+    for wrong in range(1, MOST_WRONG + 1):
+        said = click.prompt(QUESTIONS[key].text, default=usual.text, err=True)
+        try:
+            return usual if said == usual.text else answer_to(key, said, known)
+        except InputError as error:
+            if wrong == MOST_WRONG:
+                raise
+            say(error.problems[0])
+    raise AssertionError
 
 
 def _renamed(example: str, kind: str, name: str, compiled: bool) -> str:

@@ -22,12 +22,13 @@ if TYPE_CHECKING:
 @click.argument("preset", required=False, shell_complete=complete_preset())
 @terminal_options("as_json")
 def show(preset: str | None, terminal: Terminal) -> None:
-    """Show a vehicle, surface or estimator PRESET, each number with its source; or all presets."""
+    """Show a vehicle, surface, estimator or material PRESET with its sources; or all of them."""
     from springback.contact.library import SOURCES, SURFACES
     from springback.scenario.scenario import preset as known_preset
     from springback.sensing.library import ESTIMATORS
     from springback.sensing.library import SOURCES as ESTIMATOR_SOURCES
     from springback.vehicle.library import VEHICLES
+    from springback.vehicle.materials import MATERIALS, MaterialRange
 
     if preset is None:
         names = {name: entry.summary for name, entry in VEHICLES.items()}
@@ -36,10 +37,21 @@ def show(preset: str | None, terminal: Terminal) -> None:
             for name, entry in SURFACES.items()
         }
         names |= {name: f"estimator, {entry.type}" for name, entry in ESTIMATORS.items()}
+        names |= {name: f"material, {entry.summary}" for name, entry in MATERIALS.items()}
         terminal.print(names, "\n".join(f"{name:<12} {text}" for name, text in names.items()))
         return
-    known = {**VEHICLES, **SURFACES, **ESTIMATORS}
-    entry = known_preset("vehicle, surface or estimator", preset, known)
+    known = {**VEHICLES, **SURFACES, **ESTIMATORS, **MATERIALS}
+    entry = known_preset("vehicle, surface, estimator or material", preset, known)
+    if preset in MATERIALS:
+        ranges = {
+            ("young [Pa]" if name == "young" else name): value._asdict()
+            if isinstance(value, MaterialRange)
+            else value
+            for name, value in entry._asdict().items()
+            if value is not None
+        }
+        terminal.print(ranges, as_lines(ranges))
+        return
     extra: dict[str, Any] = {}
     if preset in VEHICLES:
         settings, sources, summary = entry.vehicle, entry.sources, entry.summary

@@ -18,7 +18,7 @@ from matplotlib import style
 from matplotlib.figure import Figure
 
 from springback.files import csv_text
-from springback.interfaces.output.robots import BLUE, GREEN, GREY, ORANGE, PINK, SKY
+from springback.interfaces.output.robots import BLUE, GREEN, GREY, INK, ORANGE, PINK, SKY
 
 P = ParamSpec("P")
 Look = dict[str, Any]
@@ -28,6 +28,7 @@ LOOKS: tuple[Look, ...] = (
     {"color": BLUE, "ls": "-"}, {"color": ORANGE, "ls": (0, (5, 1.5))},
     {"color": GREEN, "ls": (0, (5, 1.5, 1, 1.5))}, {"color": PINK, "ls": (0, (1.2, 1))},
     {"color": SKY, "ls": (0, (8, 2))}, {"color": GREY, "ls": (0, (3, 1, 1, 1, 1, 1))},
+    {"color": INK, "ls": (0, (6, 1, 1, 1))},
 )  # fmt: skip
 """Looks of the curves of a panel, in order."""
 WIDTH = 4.8

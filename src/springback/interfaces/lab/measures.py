@@ -24,7 +24,7 @@ from springback.paper.printed import (
     PrintedImpact,
 )
 from springback.results.flight import Flight
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 
 #: Standard value of g, for accelerations in multiples of it [m/s²].
 EARTH = 9.81

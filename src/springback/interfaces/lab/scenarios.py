@@ -39,9 +39,9 @@ from springback.scenario.model import RING_ROUNDING, true_vehicle
 from springback.scenario.scenario import Scenario, scenario_from
 from springback.scenario.tables import ModelError, Payload
 from springback.studies.run_ups import WALL_DISTANCE, run_up_scenario
+from springback.vehicle.arms.paths import free_end_along
 from springback.vehicle.hulls import hull_reach
 from springback.vehicle.parameters import Vehicle
-from springback.vehicle.state import arm_direction
 
 #: Time before and after first touch of an impact [s] (chosen: contacts last up to 0.1 s).
 BEFORE, AFTER = 0.025, 0.3
@@ -257,14 +257,14 @@ def _reach(vehicle: Vehicle, pitch: float, yaw: float, paper: bool) -> float:
     """
     n, model = _inward(pitch, yaw), ArmTip(0.0) if paper else Ring(RING_ROUNDING)
     ends = []
-    for j, angle in enumerate(vehicle.arms.directions):
+    for j, angle in enumerate(vehicle.arms.directions if vehicle.arms.cages else ()):
         arm = Vec(math.cos(angle), math.sin(angle), 0.0)
         at = support(model, n, arm, vehicle.arms.at("cage_radius", j))
-        ends.append(n @ (arm * vehicle.arms.at("length", j) + at.point) - at.inset)
+        ends.append(n @ (vehicle.arms.end(j) + at.point) - at.inset)
     airframe = vehicle.airframe()
     ends += [hull_reach(hull, n) for hull in airframe.hull]
     for one in airframe.arms:
-        along = one.length * (n @ arm_direction(one))
+        along = free_end_along(one, n)
         ends += [along + hull_reach(hull, n) for hull in one.hull]
     return float(max(ends))
 

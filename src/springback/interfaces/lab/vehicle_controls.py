@@ -13,7 +13,9 @@ from springback.quantities import number_in
 from springback.scenario.fields import fields_of
 from springback.scenario.overrides import with_value
 from springback.settings import Settings
+from springback.vehicle.arms.settings import OF_SLIDES
 from springback.vehicle.parameters import Arms, Vehicle
+from springback.vehicle.placed.settings import RotorSettings
 
 Change = tuple[tuple[str, ...], Any]
 """Path below ``vehicle``, and the value to set there."""
@@ -111,6 +113,9 @@ def control_for(name: str, vehicle: Vehicle, words: str) -> tuple[SliderControl 
         words: Source of its numbers, beside the mark.
     """
     field = VEHICLE_FIELDS[name]
+    if field.name in OF_SLIDES and vehicle.arms.joint is not None:
+        why = f"the arms are on a {vehicle.arms.joint.type}, which has its own; kept as in the file"
+        return no_control(field.slider, why), 0.0
     slider, values = field.slider, field.values(vehicle)
     value = values[0]
     if any(one != value for one in values):
@@ -159,12 +164,16 @@ def first_angle(vehicle: Vehicle) -> float:
 def why_fixed_count(vehicle: Vehicle) -> str:
     """Reason why the number of arms cannot be changed; empty if it can."""
     arms = vehicle.arms
+    if vehicle.rotors:
+        return "rotors are listed one by one; the number of arms is kept as in the file"
     if spacing(arms.directions) is None:
         return "arms are not evenly spaced one after another; their number is kept as in the file"
     for name in fields_of(Arms):
         value = getattr(arms, name)
         if name not in ("directions", "spin") and isinstance(value, tuple) and len({*value}) > 1:
             return f"arms differ in {name}; their number is kept as in the file"
+    if arms.joint is not None and arms.joint.differs:
+        return "arms differ in their joints; their number is kept as in the file"
     if arms.spin and any(a == b for a, b in itertools.pairwise(arms.spin)):
         return "spins do not alternate; the number of arms is kept as in the file"
     return ""
@@ -191,6 +200,20 @@ def arm_changes(vehicle: Vehicle, count: int, angle: float) -> Iterator[Change]:
     elif angle != before:
         turned = (math.degrees(one) + angle - before for one in arms.directions)
         yield ("arms", "directions"), [_degrees(one) for one in turned]
+        if vehicle.rotors:
+            turn = math.radians(angle - before)
+            yield ("rotors",), [_turned_rotor(one, turn) for one in vehicle.rotors]
+
+
+def _turned_rotor(rotor: RotorSettings, angle: float) -> dict[str, Any]:
+    """A rotor of a raw vehicle, turned about body z by an angle [rad]."""
+    given = rotor.model_dump(exclude_unset=True)
+    for name in ("position", "axis"):
+        if (vector := getattr(rotor, name)) is not None:
+            x, y, z = vector
+            c, s = math.cos(angle), math.sin(angle)
+            given[name] = [c * x - s * y, s * x + c * y, z]
+    return given
 
 
 def _degrees(angle: float) -> str:

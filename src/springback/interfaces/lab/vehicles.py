@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 from springback.errors import InputError
@@ -19,6 +18,7 @@ from springback.interfaces.output.robots import robot_label
 from springback.scenario.presets import vehicle_table
 from springback.vehicle.library import ARQ, VEHICLES
 from springback.vehicle.parameters import Vehicle
+from springback.vehicle.placed.balance import hover_balance
 
 #: Largest moment of equal thrusts, as a share of that of one rotor, of a balanced vehicle (chosen).
 SMALL = 1e-9
@@ -93,12 +93,14 @@ def vehicle_of(table: Any) -> Vehicle:
 
 
 def is_balanced(vehicle: Vehicle) -> bool:
-    """True if equal thrusts turn a vehicle about no axis."""
+    """True if equal thrusts turn a vehicle about no axis, and push it along body z."""
+    if vehicle.rotors:
+        if not vehicle.lift > 0.0:
+            return False
+        found, reach = hover_balance(vehicle), vehicle.reach()
+        return max(found.sideways * reach, found.tilting, found.turning) <= SMALL * reach
     arms, count = vehicle.arms, vehicle.arm_count
-    ends = [
-        (arms.at("length", j) * math.cos(angle), arms.at("length", j) * math.sin(angle))
-        for j, angle in enumerate(arms.directions)
-    ]
+    ends = [arms.end(j) for j in range(count)]
     shares = [1.0 / count - arms.at("mass", j) / vehicle.mass for j in range(count)]
     signs = arms.spin or [-1 if j % 2 == 0 else 1 for j in range(count)]
     yaw = sum(sign * arms.at("torque_ratio", j) for j, sign in enumerate(signs))

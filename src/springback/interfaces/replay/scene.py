@@ -30,36 +30,110 @@ from springback.interfaces.replay.geometry import Drawable, drawables
 from springback.interfaces.replay.hull_meshes import HullMesh, hull_meshes, mesh_of_hull
 from springback.interfaces.replay.instants import departure, drawn_instants
 from springback.interfaces.replay.tracks import BodyTrack, body_tracks
+from springback.kernels.vectors import Vec, norm
 from springback.results.events import Event, impacts_of, parts_of
 from springback.results.flight import Flight
 from springback.results.pair.contacts import loads_on_first, loads_on_second
 from springback.results.saved import load as load
 from springback.scenario.tables import UserShape
 from springback.scenario.worlds.imported import single_obstacles
+from springback.simulation.measuring.record import Model
 from springback.simulation.playback import LoadHistory, load_history
-from springback.simulation.record import Model
+from springback.vehicle.arms.joints import STRAIGHT, Joint, JointedArm
+from springback.vehicle.arms.neighbours import NeighbourSprings
+from springback.vehicle.arms.paths import ArmPath, joint_path, planar_path
 from springback.vehicle.hulls import SphereHull
 from springback.vehicle.parameters import Vehicle
-from springback.vehicle.state import Airframe
+from springback.vehicle.state import Airframe, Arm
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 #: Energies that change by less than this fraction of the largest change are not plotted (chosen).
 SEEN = 1e-4
+#: Chosen, of a slide's spring: its inner seat is at least, and its outer seat from the end of the
+#: arm, at this share of the end's distance from the main body; length between both, per stroke.
+SEAT, COLLAR, ROOM = 0.24, 0.13, 1.8
+#: Chosen: place of a latch between the end of a hinged arm, 0, and its hinge, 1.
+LATCHED = 0.55
 #: Recomputed forces may differ from the columns by this fraction of the peak (chosen: rounding).
 AGREES = 1e-6
 
 
-class ArmShape(NamedTuple):
-    """An arm with its cage and rotor; the rotor's axis is body z at the end of the arm."""
+#: Radius of the disc of a rotor where its propeller is unknown, of that of its cage (chosen).
+BLADES = 0.62
 
-    direction: tuple[float, float, float]  # unit vector, body axes
+
+class JointShape(NamedTuple):
+    """Joint of an arm: a slide in any direction, or a hinge."""
+
+    path: Joint  # of the end of the arm
+    anchor: tuple[float, ...]  # where it is on the main body: hinge, or seat of the spring [m]
+
+    @property
+    def is_hinge(self) -> bool:
+        """True for a hinge, whose path is an arc about the anchor."""
+        return self.path.curvature > STRAIGHT
+
+
+class LatchShape(NamedTuple):
+    """Latch of an arm: a face on it meets one on the main body, until it opens."""
+
+    face: tuple[float, ...]  # where they meet, from the main body, body axes [m]
+    travel: float  # way of the arm's end at which it opens [m]
+
+
+class NeighbourShape(NamedTuple):
+    """Spring between the ends of two arms."""
+
+    first: int  # number of the arm, from 0
+    second: int
+    distance: float  # between the ends where it is free [m]
+
+
+class ArmShape(NamedTuple):
+    """An arm with its cage; what is at the end of a hinged arm turns with it."""
+
+    direction: tuple[float, ...]  # of its free end from the main body, unit vector, body axes
     length: float  # free length [m]
     shortest: float  # length at full stroke [m]
-    cage_radius: float  # [m]; the circle lies in the plane of the arms
+    cage_radius: float  # [m]; the circle lies in the plane of the arms while the arm is free
+    caged: bool  # False: it is no cage
     compliant: bool
-    spin: int  # sign of the torque about body z
     hulls: tuple[HullMesh, ...] = ()  # from its end
+    joint: tuple[JointShape, ...] = ()  # none: it slides along its direction
+    latch: tuple[LatchShape, ...] = ()
+
+    @property
+    def reach(self) -> float:
+        """Distance of its free end from the main body [m]."""
+        return float(np.linalg.norm(self.joint[0].path.end)) if self.joint else self.length
+
+    def path(self, lengths: Array) -> ArmPath:
+        """Path of its end, by its lengths [m]."""
+        for joint in self.joint:
+            return joint_path(joint.path, lengths - self.length)
+        return planar_path(np.array(self.direction), lengths)
+
+    def yielding(self, length: float) -> float:
+        """How far it has given way at a length [m]: on a joint, to either side."""
+        pressed = self.length - length
+        return abs(pressed) if self.joint else pressed
+
+    def is_open(self, length: float) -> bool:
+        """True if it has a latch, which has opened, at a length [m]."""
+        return any(self.length - length > one.travel for one in self.latch)
+
+
+class RotorShape(NamedTuple):
+    """A rotor, on the main body or at the end of an arm."""
+
+    arm: int  # its arm, from 0; -1 for the main body
+    offset: tuple[float, ...]  # of its middle from what it is on [m]
+    axis: tuple[float, ...]  # unit vector of its thrust, in the axes of what it is on
+    level: bool  # True: its axis does not turn with the arm
+    spin: int  # sign of the torque about the axis
+    radius: float  # of its disc [m]
+    listed: bool  # True: its vehicle lists it, so that it may be anywhere
 
 
 class HullShape(NamedTuple):
@@ -94,6 +168,7 @@ class Scene:
     success: bool
     """True if it recovered or, without a pilot, left the obstacle."""
     arms: tuple[ArmShape, ...]
+    rotors: tuple[RotorShape, ...]
     hull: tuple[HullShape, ...]
     """Hull of the main body; empty without one."""
     max_thrust: float
@@ -110,7 +185,7 @@ class Scene:
     arm_length: Array
     """Arm lengths [m], shape (n, arms)."""
     thrust: Array
-    """Rotor thrusts [N], shape (n, arms), from the telemetry, constant between ticks."""
+    """Rotor thrusts [N], shape (n, rotors), from the telemetry, constant between ticks."""
     force: Array
     """Force of each contact, world [N], shape (n, contacts, 3)."""
     point: Array
@@ -134,6 +209,8 @@ class Scene:
     """Time of the first touch of any vehicle in its world [s]; None: that of its first impact."""
     world: int = 0
     """Number of its world: scenes of one world are drawn in one place."""
+    neighbours: tuple[NeighbourShape, ...] = ()
+    """Springs between arms."""
 
 
 def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Scene:
@@ -196,6 +273,7 @@ def _scene(
         sentence=flight.message,
         success=flight.success,
         arms=arm_shapes(model.airframe, flight.scenario.vehicle),
+        rotors=rotor_shapes(model.airframe, flight.scenario.vehicle),
         hull=hull_shapes(model.airframe, flight.scenario.vehicle),
         max_thrust=propulsion.max_thrust if propulsion else float(thrust.max(initial=1.0)),
         guide=tuple(model.guide.axis) if isinstance(model.guide, Slider) else (),
@@ -216,6 +294,7 @@ def _scene(
         units={name: named[name] for name in flight.measures if name in named},
         departure=departure(c, count, places),
         notes=things.notes + _doubts(flight, loads, places),
+        neighbours=neighbour_shapes(model.airframe),
     )
 
 
@@ -232,15 +311,76 @@ def arm_shapes(airframe: Airframe, vehicle: Vehicle) -> tuple[ArmShape, ...]:
     """Shapes of the arms of an airframe."""
     return tuple(
         ArmShape(
-            direction=(arm.cosine, arm.sine, 0.0),
-            length=arm.length,
-            shortest=arm.shortest,
-            cage_radius=arm.cage_radius,
-            compliant=arm.compliance > 0.0,
-            spin=1 if arm.torque_ratio > 0.0 else -1,
+            direction=_direction(arm), length=arm.length, shortest=arm.shortest,
+            cage_radius=arm.cage_radius, caged=arm.caged > 0.0, compliant=arm.compliance > 0.0,
             hulls=hull_meshes(vehicle, j),
+            joint=(_joint_shape(arm),) if isinstance(arm, JointedArm) else (),
+            latch=_latch_shapes(arm) if isinstance(arm, JointedArm) else (),
         )
         for j, arm in enumerate(airframe.arms, start=1)
+    )  # fmt: skip
+
+
+def rotor_shapes(airframe: Airframe, vehicle: Vehicle) -> tuple[RotorShape, ...]:
+    """Shapes of the rotors of an airframe: those listed, else one at the end of each arm."""
+    level = [isinstance(arm, JointedArm) and not arm.joint.follows > 0.0 for arm in airframe.arms]
+    if not airframe.rotors:
+        return tuple(
+            RotorShape(
+                j, (0.0, 0.0, 0.0), (0.0, 0.0, 1.0), level[j],
+                1 if arm.torque_ratio > 0.0 else -1, BLADES * arm.cage_radius, False,
+            )
+            for j, arm in enumerate(airframe.arms)
+        )  # fmt: skip
+    known = None if vehicle.propulsion is None else vehicle.propulsion.disk_radius
+    found = []
+    for one in airframe.rotors.each:
+        j, q = int(one.arm) - 1, one.axes
+        spin, up = 1 if one.torque_ratio > 0.0 else -1, (q.x.z, q.y.z, q.z.z)
+        radius = known or BLADES * airframe.arms[max(j, 0)].cage_radius
+        still = j >= 0 and level[j]
+        found.append(RotorShape(j, (*one.offset,), up, still, spin, radius, True))
+    return tuple(found)
+
+
+def _direction(arm: Arm | JointedArm) -> tuple[float, ...]:
+    """Unit vector from the main body to the free end of an arm, body axes."""
+    if isinstance(arm, Arm):
+        return (arm.cosine, arm.sine, 0.0)
+    return tuple(arm.joint.end * (1.0 / norm(arm.joint.end)))
+
+
+def _joint_shape(arm: JointedArm) -> JointShape:
+    """Shape of a joint.
+
+    The axis of a hinge is drawn where it meets the plane of the arc, the seat of a slide's spring
+    so far behind the end that the spring fits in at full stroke.
+    """
+    path, stroke, reach = arm.joint, arm.length - arm.shortest, norm(arm.joint.end)
+    if path.curvature > STRAIGHT:
+        return JointShape(path, tuple(path.end + path.inward * (1.0 / path.curvature)))
+    behind = min((1.0 - SEAT) * reach, COLLAR * reach + ROOM * stroke)
+    return JointShape(path, tuple(path.end - behind * path.direction))
+
+
+def _latch_shapes(arm: JointedArm) -> tuple[LatchShape, ...]:
+    """Shape of a latch, if any: on a hinged arm, or on the outer seat of the spring of a slide."""
+    path, shape = arm.joint, _joint_shape(arm)
+    if shape.is_hinge:
+        face = path.end + LATCHED * (Vec(*shape.anchor) - path.end)
+    else:
+        face = path.end - (COLLAR * norm(path.end)) * path.direction
+    return tuple(LatchShape(tuple(face), latch.travel) for latch in arm.spring.latch)
+
+
+def neighbour_shapes(airframe: Airframe) -> tuple[NeighbourShape, ...]:
+    """Shapes of the springs between the ends of arms, if there are any."""
+    if not isinstance(airframe.neighbours, NeighbourSprings):
+        return ()
+    count = len(airframe.arms)
+    return tuple(
+        NeighbourShape(j, (j + 1) % count, spring.distance)
+        for j, spring in enumerate(airframe.neighbours.springs)
     )
 
 
@@ -302,7 +442,8 @@ def _series(
         for name, word in words.items()
         if moves[name] > SEEN * max(moves.values())
     ]
-    found += [Series("Thrust", f"rotor {j}", "N", thrust[:, j - 1]) for j, _ in arms]
+    rotors = range(1, thrust.shape[1] + 1)
+    found += [Series("Thrust", f"rotor {j}", "N", thrust[:, j - 1]) for j in rotors]
     return tuple(found)
 
 

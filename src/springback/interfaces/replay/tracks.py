@@ -15,7 +15,7 @@ import numpy as np
 from springback.contact.cage import moving_bodies
 from springback.contact.moving.bodies import ABSENT, CARRIED, FREE, GIVEN, PIVOTED, MovingBody
 from springback.kernels.vectors import Vec
-from springback.simulation.record import Model
+from springback.simulation.measuring.record import Model
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Places = np.ndarray[Any, np.dtype[np.intp]]

@@ -16,6 +16,7 @@ from springback.interfaces.output.worst_case import answer_lines, answer_table
 from springback.interfaces.reports.measures import MeasureReport, measure_report
 from springback.interfaces.reports.outcomes import (
     distribution_table,
+    drawn_ranges,
     level_table,
     measure_unit,
     outcome_table,
@@ -40,6 +41,7 @@ def summary_text(
         f"{about['name']}: {done} of {of} flights ({state})",
         f"success: {found.campaign.design.rule}",
         *(f"only flights with: {text}" for text in found.campaign.conditions),
+        *(f"drawn: {text}" for text in drawn_ranges(found.campaign)),
         "",
         as_text(*outcome_table(found.robots)),
         *([found.refusal] * bool(found.refusal)),

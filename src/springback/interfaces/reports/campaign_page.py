@@ -25,6 +25,7 @@ from springback.interfaces.output.worst_case import answer_lines, answer_table
 from springback.interfaces.reports.measures import MeasureReport
 from springback.interfaces.reports.outcomes import (
     distribution_table,
+    drawn_ranges,
     failure_table,
     level_table,
     measure_unit,
@@ -202,6 +203,7 @@ def _sections(
         "overview": {
             **confidence, "rule": found.campaign.design.rule, "shares": shares,
             "conditions": "; ".join(found.campaign.conditions),
+            "drawn": _plain("; ".join(drawn_ranges(found.campaign))),
             "refusal": f": {found.refusal}" if found.refusal else "",
             "untouched": _plain(untouched_line(found.campaign)),
             "pairs": [_plain(pair.sentence()) + "." for pair in found.pairs],

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from springback.campaign.access import Campaign
 from springback.campaign.analysis.distribution import PARTS as DISTRIBUTION
 from springback.campaign.analysis.distribution import MeasureDistribution
 from springback.campaign.analysis.failures import FailureList
@@ -137,3 +138,13 @@ def share_text(estimate: IntervalEstimate) -> str:
         return "-"
     value, low, high = (100.0 * x for x in (estimate.value, estimate.low, estimate.high))
     return f"{value:.2f} % ({low:.2f} to {high:.2f})"
+
+
+def drawn_ranges(campaign: Campaign) -> list[str]:
+    """Ranges of a campaign that have a source, such as those of materials."""
+    sourced = [one for one in campaign.design.plan.vary if one.source is not None]
+    return [
+        f"{one.field} {one.from_} to {one.to} ({one.source})" if one.from_ is not None
+        else f"{one.field} ({one.source})"
+        for one in sourced
+    ]  # fmt: skip

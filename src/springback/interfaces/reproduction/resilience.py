@@ -46,7 +46,7 @@ from springback.paper.resilience import (
 )
 from springback.recovery.parameters import SettlingSettings
 from springback.results.recovery_measures import RECOVERY_MEASURES
-from springback.simulation.measures import Outcome
+from springback.simulation.measuring.measures import Outcome
 from springback.studies.comparison import Mark, Row
 from springback.studies.trials import Tally, Trial
 from springback.vehicle.library import VEHICLES

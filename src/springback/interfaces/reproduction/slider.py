@@ -32,7 +32,7 @@ from springback.interfaces.reports.page import (
 from springback.interfaces.reproduction.figures import drawings, slider
 from springback.paper.printed import SLIDER_SPEED, SWEEP_GAP, SWEEP_SPEEDS, TABLE_III
 from springback.paper.slider import DEFAULT, Case, SliderResults
-from springback.simulation.measures import MEASURES
+from springback.simulation.measuring.measures import MEASURES
 from springback.studies.comparison import AGREEMENT, Mark, Row
 
 WORDS = Wording.of("slider")
@@ -111,6 +111,11 @@ def _agrees(run: Run | None, number: str) -> bool:
     return any(row.mark is not Mark.CONTRADICTED for row in rows)
 
 
+def _is_fitted(run: Run | None) -> bool:
+    """True if any number of a run was fitted to."""
+    return any(row.mark is Mark.FITTED for row in (run or {}).values())
+
+
 def _gaps(results: SliderResults, mark: Mark | None = None) -> dict[str, Row]:
     """Rows of the gap of the sweep by reading: the prediction, or the first with a mark."""
     found: dict[str, Row] = {}
@@ -166,6 +171,7 @@ def _answer(results: SliderResults, runs: Runs) -> Content:
             for name in names
             for surface in slider.SURFACES
             if all(_agrees(_nth(runs, "arq", surface, name, 0), number) for number in PRINTED)
+            and not _is_fitted(_nth(runs, "arq", surface, name, 0))
         ]
         key = "verdict_arq_some" if complete else "verdict_arq_none"
         verdict += WORDS.say(key, all=len(PRINTED), readings=len(names), complete=join(complete))

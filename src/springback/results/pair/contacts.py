@@ -6,21 +6,25 @@ from collections.abc import Callable, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
-import scipy  # submodules are loaded on first use
 
 from springback.contact.moving.bodies import ABSENT, CARRIED
 from springback.contact.moving.hulls import with_hulls
 from springback.contact.moving.scene import MovingScene
 from springback.contact.scene.faces import SolidScene
 from springback.contact.worlds import obstacles
+from springback.kernels.compiler import executor, kernel
+from springback.kernels.layout import Buffer, TreeLayout, read, write
+from springback.kernels.trees import leaves
 from springback.results.pair.flying import in_a_scene, law_between
 from springback.scenario.model import RING_ROUNDING
 from springback.scenario.scenario import Scenario
+from springback.simulation.flight import model_state
+from springback.simulation.measuring.record import Model
 from springback.simulation.pair.flying import PairedFlight, beside_each_other
+from springback.simulation.pair.parts import parts_of
 from springback.simulation.pair.solids import solids_of
-from springback.simulation.playback import LoadHistory, load_history
-from springback.simulation.record import Model
-from springback.vehicle.state import Airframe
+from springback.simulation.playback import LoadHistory, load_history, states_at
+from springback.vehicle.state import Airframe, BodyState, State
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Places = np.ndarray[Any, np.dtype[np.intp]]
@@ -77,10 +81,9 @@ class PairView(NamedTuple):
 
     def of_part(self, number: int) -> Model:
         """Model in a world of one part of the second vehicle alone."""
-        nothing = obstacles((), as_scene=True)
-        assert isinstance(nothing, SolidScene)
-        if self.model.world.obstacles.still.hull_query:
-            nothing = with_hulls(nothing, RING_ROUNDING)
+        nothing = _nothing(self.model)._replace(
+            remembers=self.model.world.obstacles.still.remembers
+        )
         return _with_bodies(self.model, lambda k: k == number, nothing)
 
 
@@ -111,9 +114,16 @@ def pair_view(scenario: Scenario, first: Columns, second: Columns) -> PairView:
         for k, body in enumerate(scene.bodies)
     )
     world = model.world._replace(obstacles=scene._replace(bodies=numbered))
-    parts = part_columns(other.true_airframe(), second)
+    parts = part_columns(opposite, second)
     alone = _with_bodies(opposite, lambda k: False)
     return PairView(model._replace(world=world), {**first, **parts}, alone)
+
+
+def _nothing(model: Model) -> SolidScene:
+    """A world without anything, which a vehicle with hulls can be asked about as well."""
+    nothing = obstacles((), as_scene=True)
+    assert isinstance(nothing, SolidScene)
+    return with_hulls(nothing, RING_ROUNDING) if model.world.obstacles.still.hull_query else nothing
 
 
 def _with_bodies(
@@ -129,31 +139,47 @@ def _with_bodies(
     return model._replace(world=model.world._replace(obstacles=scene))
 
 
-def part_columns(airframe: Airframe, columns: Columns) -> dict[str, Array]:
+def part_columns(model: Model, columns: Columns) -> dict[str, Array]:
     """Pose and motion of the cages and the hull of a vehicle, as of moving obstacles from 0.
 
     Args:
-        airframe: Of the vehicle.
+        model: Of the vehicle.
         columns: Its trajectory.
     """
-    c, found = columns, dict[str, Array]()
-    attitude = np.stack([c[f"q{part}"] for part in "wxyz"], axis=1)
-    turn = scipy.spatial.transform.Rotation.from_quat(attitude, scalar_first=True).as_matrix()
-    place, velocity, spin = (
-        np.stack([c[f"{stem}{axis}"] for axis in "xyz"], axis=1) for stem in ("", "v", "w")
-    )
-    ends = [
-        (np.array([arm.cosine, arm.sine, 0.0]), c[f"l{j}"][:, None], c[f"dl{j}"][:, None])
-        for j, arm in enumerate(airframe.arms, start=1)
-    ]
-    levers = [(length * along, rate * along) for along, length, rate in ends]
-    levers += [(np.zeros((1, 3)), np.zeros((1, 3)))] * len(airframe.hull)
-    for k, (lever, rate) in enumerate(levers):
-        there = place + np.einsum("tij,tj->ti", turn, np.broadcast_to(lever, place.shape))
-        moving = np.cross(spin, lever) + rate
-        speed = velocity + np.einsum("tij,tj->ti", turn, moving)
-        stem = f"obstacle{k}_"
-        for name, values in (("", there), ("v", speed), ("w", spin)):
-            found |= {f"{stem}{name}{axis}": values[:, i] for i, axis in enumerate("xyz")}
-        found |= {f"{stem}q{part}": c[f"q{part}"] for part in "wxyz"}
-    return found
+    alone = model._replace(world=model.world._replace(obstacles=_nothing(model)))
+    like = _Vehicle(alone.airframe, model_state(alone))
+    states = states_at(alone, columns, slice(None))
+    constants = np.array(leaves(alone.airframe))
+    given = np.hstack([np.broadcast_to(constants, (len(states), len(constants))), states])
+    still = _parts(like)
+    names = [f"{stem}{part}" for stem, parts in _OF_BODY for part in parts]
+    out = np.zeros((len(states), len(leaves(still))))
+    _all_parts(TreeLayout(like), np.ascontiguousarray(given), out)
+    return {
+        f"obstacle{k}_{name}": out[:, k * len(names) + i]
+        for k in range(len(still))
+        for i, name in enumerate(names)
+    }
+
+
+#: Columns of a moving obstacle, as `springback.vehicle.state.BodyState` has them.
+_OF_BODY = (("", "xyz"), ("q", "wxyz"), ("v", "xyz"), ("w", "xyz"))
+
+
+class _Vehicle(NamedTuple):
+    """A vehicle at one instant."""
+
+    airframe: Airframe
+    state: State
+
+
+@kernel
+def _parts(at: _Vehicle) -> tuple[BodyState, ...]:
+    return parts_of(at.airframe, at.state)
+
+
+@executor(nogil=True)
+def _all_parts(like: TreeLayout, instants: Buffer, out: Buffer) -> None:
+    """Write `_parts` for each instant; the rows of the buffers hold the leaves."""
+    for i in range(instants.shape[0]):
+        write(_parts(read(like, instants[i], 0, 1, 0)), out[i], 0, 1, 0)

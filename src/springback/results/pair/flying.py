@@ -16,10 +16,10 @@ from springback.scenario.model import RING_ROUNDING
 from springback.scenario.scenario import Scenario
 from springback.simulation.flight import FlightRecord
 from springback.simulation.guided import GuidedFlown, ticks_of
+from springback.simulation.measuring.record import Model
 from springback.simulation.noise import noise_table
 from springback.simulation.pair.flying import PairedFlight, fly_both
 from springback.simulation.pair.solids import solids_of
-from springback.simulation.record import Model
 from springback.vehicle.parameters import Vehicle
 
 Flown = GuidedFlown | FlightRecord
@@ -74,7 +74,8 @@ def in_a_scene(scenario: Scenario, vehicle: Vehicle, model: Model) -> Model:
     scene = obstacles(scenario.world.obstacles, as_scene=True)  # type: ignore[arg-type]  # checked
     assert isinstance(scene, SolidScene)
     if vehicle.hulls:
-        scene = with_hulls(scene, RING_ROUNDING)
+        remember = any(hull.remembers for hull in vehicle.hulls)
+        scene = with_hulls(scene, RING_ROUNDING, remember)
     return model._replace(world=model.world._replace(obstacles=scene))
 
 

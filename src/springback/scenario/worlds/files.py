@@ -48,19 +48,23 @@ def world_content(
     """
     key = (str(path.absolute()), *map(str, search), *kinds, bounds)
     known = _LATEST.get(key)
-    if known is not None and known[0] == _states(known[1].files):
+    if known is not None and known[0] == states_of(known[1].files):
         return known[1]
     found = _content(path, search, kinds, bounds)
     if not found.missing:  # what is missing may be there the next time
         _LATEST.pop(key, None)
-        _LATEST[key] = _states(found.files), found
+        _LATEST[key] = states_of(found.files), found
         if len(_LATEST) > MOST_LATEST:
             del _LATEST[next(iter(_LATEST))]
     return found
 
 
-def _states(files: Sequence[Path]) -> tuple[object, ...]:
-    """Size, time and number of files, which tell whether they changed."""
+def states_of(files: Sequence[Path]) -> tuple[object, ...]:
+    """Size, time and number of files, which tell whether they changed.
+
+    Args:
+        files: Any; those that are not there have none.
+    """
     found: list[object] = []
     for path in files:
         try:

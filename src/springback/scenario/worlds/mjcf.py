@@ -39,6 +39,8 @@ MAKERS = {
     "flexcomp": "is deformable",
     "attach": "attaches a part of another model",
 }
+#: Elements of a body that let it move.
+JOINTS = ("joint", "freejoint")
 #: Elements of a body that nothing can hit.
 UNTOUCHED = ("light", "site", "camera", "plugin")
 
@@ -61,6 +63,16 @@ class MjcfReader:
         Raises:
             InputError: If it is not MJCF, or wrong.
         """
+        self.prepare(root)
+        for node in root.all("worldbody"):
+            self._body(node, at_origin(), "", "main")
+
+    def prepare(self, root: XmlNode) -> Attributes:
+        """Read what is included, settings, default classes and assets; returns the settings.
+
+        Raises:
+            InputError: If the file is not MJCF, or wrong.
+        """
         if root.tag != "mujoco":
             raise root.problem("is not MJCF, whose outermost element is mujoco")
         self._expand(root, (self._found.path.resolve(),))
@@ -81,8 +93,7 @@ class MjcfReader:
         for node in root.all("deformable"):
             for one in node.nodes:
                 self._found.leave_out(one.get("name", one.tag), "is deformable")
-        for node in root.all("worldbody"):
-            self._body(node, at_origin(), "", "main")
+        return self._settings
 
     def _expand(self, node: XmlNode, chain: tuple[Path, ...]) -> None:
         """Put what is included in the place of ``<include>``."""
@@ -125,8 +136,16 @@ class MjcfReader:
                 raise inner.problem("class is missing")
             self._add_class(inner, own, inner.get("class"))
 
-    def _attributes(self, node: XmlNode, child_class: str) -> Attributes:
-        """Attributes of a node, those of its class included."""
+    def attributes_of(self, node: XmlNode, child_class: str) -> Attributes:
+        """Attributes of a node, those of its class included.
+
+        Args:
+            node: A geom or an asset.
+            child_class: Default class of what names none.
+
+        Raises:
+            InputError: If there is no such class.
+        """
         name = node.get("class") or child_class
         if name != "main" and name not in self._classes:
             raise node.problem(f"class: there is no default class {name!r}")
@@ -161,7 +180,16 @@ class MjcfReader:
             return turn_from_quaternion(*q)
         return np.eye(3)
 
-    def _pose(self, node: XmlNode, given: Attributes) -> FramePose:
+    def pose_of(self, node: XmlNode, given: Attributes) -> FramePose:
+        """Pose of a body, frame, geom or inertial in what holds it.
+
+        Args:
+            node: The element, for errors.
+            given: Its attributes.
+
+        Raises:
+            InputError: If its numbers are wrong.
+        """
         place = node.numbers(given.get("pos", "0 0 0"), "pos [m]", 3)
         return FramePose(self._turn(node, given), np.array(place))
 
@@ -185,7 +213,7 @@ class MjcfReader:
                 if node.tag == "body":
                     inner = _join(name, node.get("name") or f"body {k}")
                     self._note_motion(node, inner)
-                self._body(node, pose @ self._pose(node, node.attributes), inner, child_class)
+                self._body(node, pose @ self.pose_of(node, node.attributes), inner, child_class)
             elif node.tag in MAKERS:
                 full = _join(name, node.get("name") or node.get("prefix") or f"{node.tag} {k}")
                 self._found.leave_out(full, MAKERS[node.tag])
@@ -194,15 +222,16 @@ class MjcfReader:
 
     def _note_motion(self, body: XmlNode, name: str) -> None:
         """Note that a body can move."""
-        kinds = ["free" if j.tag == "freejoint" else j.get("type", "hinge") for j in _joints(body)]
+        joints = parts_of(body, *JOINTS)
+        kinds = ["free" if j.tag == "freejoint" else j.get("type", "hinge") for j in joints]
         if kinds:
-            joints = ", ".join(dict.fromkeys(kinds))
-            self._found.remark(name, f"can move there ({joints} joint), and is at rest here")
+            what = ", ".join(dict.fromkeys(kinds))
+            self._found.remark(name, f"can move there ({what} joint), and is at rest here")
         elif body.get("mocap") in ("true", "1"):
             self._found.remark(name, "is moved from outside there, and is at rest here")
 
     def _geom(self, node: XmlNode, outer: FramePose, name: str, child_class: str) -> None:
-        given = self._attributes(node, child_class)
+        given = self.attributes_of(node, child_class)
         if all(_is_zero(given.get(key, "1")) for key in ("contype", "conaffinity")):
             self._found.ignore("visual")
             return
@@ -213,13 +242,13 @@ class MjcfReader:
             if friction < 0.0:
                 raise node.problem(f"friction: must be at least 0 (got {friction:g})")
         if kind in ("mesh", "sdf") or "mesh" in given:
-            self._mesh(node, given, outer @ self._pose(node, given), name, friction)
+            self._mesh(node, given, outer @ self.pose_of(node, given), name, friction)
             return
         if kind == "hfield":
-            self._relief(node, given, outer @ self._pose(node, given), name, friction)
+            self._relief(node, given, outer @ self.pose_of(node, given), name, friction)
             return
         if kind == "plane":
-            self._found.plane(name, outer @ self._pose(node, given), (0.0, 0.0, 1.0), friction)
+            self._found.plane(name, outer @ self.pose_of(node, given), (0.0, 0.0, 1.0), friction)
             return
         self._primitive(node, given, outer, name, friction)
 
@@ -227,23 +256,11 @@ class MjcfReader:
         self, node: XmlNode, given: Attributes, outer: FramePose, name: str,
         friction: float | None,
     ) -> None:  # fmt: skip
-        kind = given.get("type", "sphere")
-        counts = {"sphere": 1, "capsule": 2, "cylinder": 2, "box": 3, "ellipsoid": 3}
-        if kind not in counts:
+        kind, known = given.get("type", "sphere"), self.primitive_of(node, given)
+        if known is None:
             self._found.leave_out(name, f"is a {kind}")
             return
-        count, text = counts[kind], given.get("size", "")
-        if "fromto" in given and count > 1:
-            line = node.numbers(given["fromto"], "fromto [m]", 6)
-            local, length = self._between(node, line)
-            across = node.numbers(text, "size [m]", range(1, 4))[0]
-            size = [across] * (count - 1) + [0.5 * length]  # a box is as wide as it is deep
-        else:
-            local = self._pose(node, given)
-            size = node.numbers(text, "size [m]", range(count, 4))[:count]
-        for value in size:
-            if not value > 0.0:
-                raise node.problem(f"size: must be above 0 m (got {value:g} m)")
+        local, size = known
         pose, found = outer @ local, self._found
         if kind == "sphere":
             found.sphere(name, pose, size[0], friction)
@@ -254,6 +271,36 @@ class MjcfReader:
         else:
             add = found.capsule if kind == "capsule" else found.cylinder
             add(name, pose, size[0], 2.0 * size[1], friction)
+
+    def primitive_of(
+        self, node: XmlNode, given: Attributes
+    ) -> tuple[FramePose, list[float]] | None:
+        """Pose in its body and half sizes [m] of a geom; None if it is of another type.
+
+        Args:
+            node: The geom, for errors.
+            given: Its attributes, those of its class included.
+
+        Raises:
+            InputError: If its numbers are wrong.
+        """
+        kind = given.get("type", "sphere")
+        counts = {"sphere": 1, "capsule": 2, "cylinder": 2, "box": 3, "ellipsoid": 3}
+        if kind not in counts:
+            return None
+        count, text = counts[kind], given.get("size", "")
+        if "fromto" in given and count > 1:
+            line = node.numbers(given["fromto"], "fromto [m]", 6)
+            local, length = self._between(node, line)
+            across = node.numbers(text, "size [m]", range(1, 4))[0]
+            size = [across] * (count - 1) + [0.5 * length]  # a box is as wide as it is deep
+        else:
+            local = self.pose_of(node, given)
+            size = node.numbers(text, "size [m]", range(count, 4))[:count]
+        for value in size:
+            if not value > 0.0:
+                raise node.problem(f"size: must be above 0 m (got {value:g} m)")
+        return local, size
 
     @staticmethod
     def _between(node: XmlNode, line: list[float]) -> tuple[FramePose, float]:
@@ -282,23 +329,56 @@ class MjcfReader:
             what = "is a signed distance of a plugin" if kind == "sdf" else "is fitted to a mesh"
             self._found.leave_out(name, what)
             return
-        asset = self._meshes.get(given.get("mesh", ""))
-        if asset is None:
-            raise node.problem(f"mesh: there is no mesh {given.get('mesh', '')!r}")
-        own = self._attributes(asset, "main")
+        asset, own = self.mesh_of(node, given)
         if "file" not in own:
             self._found.leave_out(name, "is a mesh without a file")
             return
         if "refpos" in own or "refquat" in own:
             self._found.leave_out(name, "is a mesh with a reference frame of its own")
             return
-        scale = asset.numbers(own.get("scale", "1 1 1"), "scale", 3)
-        if not all(scale):
-            raise asset.problem("scale: must not be zero")
-        path = self._asset(own["file"], "meshdir")
+        scale, path = self.scale_of(asset, own), self.mesh_file(own)
         add_mesh(self._found, name, pose, path, scale, friction)
         if not isinstance(path, str):
             self._found.remark(name, "is hit as it is; MuJoCo hits its convex hull")
+
+    def mesh_of(self, node: XmlNode, given: Attributes) -> tuple[XmlNode, Attributes]:
+        """The mesh that a geom names, and its attributes, those of its class included.
+
+        Args:
+            node: The geom, for errors.
+            given: Its attributes.
+
+        Raises:
+            InputError: If there is none.
+        """
+        asset = self._meshes.get(given.get("mesh", ""))
+        if asset is None:
+            raise node.problem(f"mesh: there is no mesh {given.get('mesh', '')!r}")
+        return asset, self.attributes_of(asset, "main")
+
+    @staticmethod
+    def scale_of(asset: XmlNode, own: Attributes) -> list[float]:
+        """Factors of a mesh along its own axes.
+
+        Args:
+            asset: The mesh, for errors.
+            own: Its attributes.
+
+        Raises:
+            InputError: If one is zero.
+        """
+        scale = asset.numbers(own.get("scale", "1 1 1"), "scale", 3)
+        if not all(scale):
+            raise asset.problem("scale: must not be zero")
+        return scale
+
+    def mesh_file(self, own: Attributes) -> Path | str:
+        """The file of a mesh that has one, or why there is none.
+
+        Args:
+            own: Attributes of the mesh.
+        """
+        return self._asset(own["file"], "meshdir")
 
     def _relief(
         self, node: XmlNode, given: Attributes, pose: FramePose, name: str, friction: float | None
@@ -326,13 +406,13 @@ def _merge(base: Attributes, own: Attributes) -> dict[str, str]:
     return {**base, **own}
 
 
-def _joints(body: XmlNode) -> Iterator[XmlNode]:
-    """Joints of a body, those in its frames included."""
+def parts_of(body: XmlNode, *tags: str) -> Iterator[XmlNode]:
+    """Elements of a body with one of some tags, those in its frames included."""
     for node in body.nodes:
-        if node.tag in ("joint", "freejoint"):
+        if node.tag in tags:
             yield node
         elif node.tag == "frame":
-            yield from _joints(node)
+            yield from parts_of(node, *tags)
 
 
 def _join(outer: str, inner: str) -> str:

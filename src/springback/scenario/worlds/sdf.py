@@ -35,7 +35,7 @@ STILL = ("fixed",)
 
 
 @dataclass
-class _SdfModel:
+class SdfModel:
     """A model of the file, or of an included one."""
 
     name: str
@@ -46,7 +46,7 @@ class _SdfModel:
     placed_by: str  # frame of the model whose pose that is; empty: the model's own
     is_static: bool
     is_merged: bool = False
-    inner: list[_SdfModel] = field(default_factory=list)
+    inner: list[SdfModel] = field(default_factory=list)
     _known: dict[str, FramePose] = field(default_factory=dict)
     _open: list[str] = field(default_factory=list)
 
@@ -108,7 +108,7 @@ class _SdfModel:
         local = at_origin() if pose is None else pose_from(pose)
         return self.frame(frame, node) @ local
 
-    def pose_of_model(self, model: _SdfModel) -> FramePose:
+    def pose_of_model(self, model: SdfModel) -> FramePose:
         """Pose of a model that this one holds, in this one."""
         frame = "" if model.pose is None else model.pose.get("relative_to")
         local = at_origin() if model.pose is None else pose_from(model.pose)
@@ -159,10 +159,19 @@ class SdfReader:
         for holder in worlds[:1] or [root]:
             self._world(holder)
 
-    def _world(self, node: XmlNode) -> None:
+    def world_of(self, node: XmlNode) -> SdfModel:
+        """A world, or the outermost element of a file, with all its models.
+
+        Raises:
+            InputError: If it is wrong, or what it includes.
+        """
         path = self._found.path
-        world = _SdfModel("", node, path.parent, (path.resolve(),), None, "", True)
+        world = SdfModel("", node, path.parent, (path.resolve(),), None, "", True)
         self._gather(world, 0)
+        return world
+
+    def _world(self, node: XmlNode) -> None:
+        world = self.world_of(node)
         for other in node.nodes:
             if other.tag in ("actor", "population"):
                 what = {"actor": "moves by a script", "population": "is placed at random"}
@@ -176,7 +185,7 @@ class SdfReader:
 
     # -- models and includes ----------------------------------------------------------------------
 
-    def _gather(self, holder: _SdfModel, level: int) -> None:
+    def _gather(self, holder: SdfModel, level: int) -> None:
         """Find the models in a model or world, and in those."""
         if level > MOST_LEVELS:
             raise holder.node.problem(f"has models in models more than {MOST_LEVELS} deep")
@@ -190,12 +199,12 @@ class SdfReader:
                 self._gather(model, level + 1)
 
     @staticmethod
-    def _own(node: XmlNode, holder: _SdfModel) -> _SdfModel:
+    def _own(node: XmlNode, holder: SdfModel) -> SdfModel:
         static = _is_true(node.first("static")) or (holder.is_static and bool(holder.name))
         frame, name = node.get("placement_frame"), node.get("name", "model")
-        return _SdfModel(name, node, holder.folder, holder.chain, node.first("pose"), frame, static)
+        return SdfModel(name, node, holder.folder, holder.chain, node.first("pose"), frame, static)
 
-    def _include(self, node: XmlNode, holder: _SdfModel) -> _SdfModel | None:
+    def _include(self, node: XmlNode, holder: SdfModel) -> SdfModel | None:
         """The model that an include names; None if it is not represented."""
         uri = node.first("uri")
         if uri is None or not uri.text:
@@ -221,7 +230,7 @@ class SdfReader:
         pose, frame = node.first("pose"), node.first("placement_frame")
         static, own = node.first("static"), model.first("pose")
         # Where the include has no pose, that of the included model counts.
-        return _SdfModel(
+        return SdfModel(
             name if given is not None else model.get("name", name), model, path.parent,
             (*holder.chain, path), own if pose is None else pose,
             model.get("placement_frame") if frame is None else frame.text,
@@ -249,7 +258,7 @@ class SdfReader:
 
     # -- links ------------------------------------------------------------------------------------
 
-    def _model(self, model: _SdfModel, pose: FramePose, name: str) -> None:
+    def _model(self, model: SdfModel, pose: FramePose, name: str) -> None:
         """Add the shapes of a model at its pose in the world."""
         moving = [
             joint.get("name", "joint")
@@ -282,7 +291,7 @@ class SdfReader:
             self._model(inner, pose @ model.pose_of_model(inner), inner_name)
 
     def _collision(
-        self, node: XmlNode, name: str, link: XmlNode, model: _SdfModel, pose: FramePose,
+        self, node: XmlNode, name: str, link: XmlNode, model: SdfModel, pose: FramePose,
         in_model: FramePose,
     ) -> None:  # fmt: skip
         own = node.first("pose")

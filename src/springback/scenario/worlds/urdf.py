@@ -25,7 +25,7 @@ def read_urdf(found: Collector, root: XmlNode) -> None:
     """
     if root.tag != "robot":
         raise root.problem("is not URDF, whose outermost element is robot")
-    _refuse_macros(root)
+    refuse_macros(root)
     links = {node.get("name"): node for node in root.all("link")}
     if not links:
         raise root.problem("has no link")
@@ -34,12 +34,16 @@ def read_urdf(found: Collector, root: XmlNode) -> None:
         for node in root.all("gazebo")
         if (mu := node.first("mu1")) is not None
     }
-    for name, pose in _poses(found, root, links).items():
+    for name, pose in link_poses(found, root, links).items():
         _add_link(found, links[name], name, pose, frictions.get(name))
 
 
-def _refuse_macros(root: XmlNode) -> None:
-    """Refuse what must be expanded by another program first."""
+def refuse_macros(root: XmlNode) -> None:
+    """Refuse what must be expanded by another program first.
+
+    Raises:
+        InputError: Naming the first macro.
+    """
     waiting = [root]
     while waiting:
         node = waiting.pop()
@@ -48,8 +52,12 @@ def _refuse_macros(root: XmlNode) -> None:
         waiting += node.nodes
 
 
-def _origin(node: XmlNode) -> FramePose:
-    """Pose of the element ``<origin>`` in a node."""
+def origin_of(node: XmlNode) -> FramePose:
+    """Pose of the element ``<origin>`` in a node; at the origin without one.
+
+    Raises:
+        InputError: If its numbers are wrong.
+    """
     origin = node.first("origin")
     if origin is None:
         return at_origin()
@@ -57,7 +65,12 @@ def _origin(node: XmlNode) -> FramePose:
     return from_angles(place, origin.numbers(origin.get("rpy", "0 0 0"), "rpy [rad]", 3))
 
 
-def _end(joint: XmlNode, tag: str, links: dict[str, XmlNode]) -> str:
+def end_of(joint: XmlNode, tag: str, links: dict[str, XmlNode]) -> str:
+    """Name of the link that is the parent or child of a joint.
+
+    Raises:
+        InputError: If there is no such link.
+    """
     node = joint.first(tag)
     name = "" if node is None else node.get("link")
     if name not in links:
@@ -65,12 +78,21 @@ def _end(joint: XmlNode, tag: str, links: dict[str, XmlNode]) -> str:
     return name
 
 
-def _poses(found: Collector, root: XmlNode, links: dict[str, XmlNode]) -> dict[str, FramePose]:
-    """Pose of each link in the file's frame, in the order of the tree."""
+def link_poses(found: Collector, root: XmlNode, links: dict[str, XmlNode]) -> dict[str, FramePose]:
+    """Pose of each link in the file's frame, in the order of the tree.
+
+    Args:
+        found: Takes a remark for each joint that moves.
+        root: Outermost element of the file.
+        links: All links by name.
+
+    Raises:
+        InputError: If joints lead to no link, or round in a circle.
+    """
     joints: dict[str, list[tuple[XmlNode, str]]] = {}
     children: dict[str, XmlNode] = {}
     for joint in root.all("joint"):
-        parent, child = _end(joint, "parent", links), _end(joint, "child", links)
+        parent, child = end_of(joint, "parent", links), end_of(joint, "child", links)
         if child in children:
             raise joint.problem(f"child: link {child!r} has two parents")
         children[child] = joint
@@ -80,7 +102,7 @@ def _poses(found: Collector, root: XmlNode, links: dict[str, XmlNode]) -> dict[s
     while waiting:
         name = waiting.pop(0)
         for joint, child in joints.get(name, ()):
-            poses[child] = poses[name] @ _origin(joint)
+            poses[child] = poses[name] @ origin_of(joint)
             waiting.append(child)
             if joint.get("type") != "fixed":
                 kind = joint.get("type", "moving")
@@ -101,7 +123,7 @@ def _add_link(
         if shape is None:
             raise collision.problem("has no geometry")
         full = f"{name}/{collision.get('name') or f'collision {k}'}"
-        _add_shape(found, shape, full, pose @ _origin(collision), friction)
+        _add_shape(found, shape, full, pose @ origin_of(collision), friction)
 
 
 def _add_shape(

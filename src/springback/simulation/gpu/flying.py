@@ -41,9 +41,9 @@ from springback.simulation.gpu.thread import (
 )
 from springback.simulation.guided import GuidedFlight, ticks_of
 from springback.simulation.lanes import Shape, buffer_rows, places
+from springback.simulation.measuring.record import FLYING
 from springback.simulation.noise import FlightNoise, generate
 from springback.simulation.onboard import Avionics
-from springback.simulation.record import FLYING
 from springback.simulation.thrusts import ThrustTable
 from springback.simulation.ticks import (
     GUST_NOISE,

@@ -24,6 +24,7 @@ from springback.simulation.flight import (
     empty_log,
     flight_buffers,
     flight_records,
+    memory_at_start,
     shape_of,
     trace_columns,
 )
@@ -35,11 +36,11 @@ from springback.simulation.guided import (
     telemetry_head,
     ticks_of,
 )
+from springback.simulation.measuring.record import Model
 from springback.simulation.onboard import Avionics
 from springback.simulation.pair.parts import carried_bodies, parts_of
-from springback.simulation.pair.solids import PartSolid
+from springback.simulation.pair.solids import PartSolid, remember
 from springback.simulation.pair.stepping import NoAvionics, PairedBuffers, pair_guide
-from springback.simulation.record import Model
 from springback.simulation.ticks import GUST_NOISE, FlightLog, layouts_of
 from springback.vehicle.state import State
 
@@ -119,14 +120,19 @@ def beside_each_other(
         still = one.model.world.obstacles
         assert isinstance(still, SolidScene)
         bodies = carried_bodies(other.model.airframe, other.solids, other.start, surface)
+        if surface is not None and remember(surface, other.solids):
+            still = still._replace(remembers=1.0)
         scene = flown_scene(scene_with(still, bodies))
         world = one.model.world._replace(obstacles=scene, laws=Forces(0.0))
-        start = one.start._replace(bodies=parts_of(other.model.airframe, other.start))
+        model = one.model._replace(world=world)
+        start = one.start._replace(
+            bodies=parts_of(other.model.airframe, other.start), memory=memory_at_start(model)
+        )
         avionics = one.avionics
         if avionics is not None:
             onboard = avionics.onboard._replace(before=start)
             avionics = avionics._replace(onboard=onboard)
-        return one._replace(model=one.model._replace(world=world), start=start, avionics=avionics)
+        return one._replace(model=model, start=start, avionics=avionics)
 
     still = Vec(0.0, 0.0, 0.0)
     none = PartPush(still, still, 0.0, 0.0, still, still, 0.0)

@@ -10,15 +10,16 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.contact.hulls.series import HullLaw, in_series
+from springback.contact.hulls.series import HullLaw, hull_law, in_series
 from springback.contact.scene.faces import SolidScene
 from springback.contact.scene.solids import BOX, CAPSULE, FRUSTUM, TORUS
 from springback.contact.scene.table import Solid, scene_of
 from springback.contact.shapes import axes_along
-from springback.contact.surfaces import Surface
+from springback.contact.surfaces import Surface, remembers
 from springback.frames import attitude_from_euler
 from springback.kernels.vectors import Quat, rotation
-from springback.vehicle.hulls import RIGID, BoxHull, CapsuleHull, RingHull, SphereHull
+from springback.vehicle.force_laws import RIGID
+from springback.vehicle.hulls import BoxHull, CapsuleHull, RingHull, SphereHull
 from springback.vehicle.parameters import Hull, Vehicle
 
 #: Height of a cage as a disc, and radius of its edges [m] (chosen: a guard with its motor); pressed
@@ -41,11 +42,12 @@ def solids_of(vehicle: Vehicle) -> tuple[tuple[PartSolid, ...], ...]:
     The distance of a hull of points is not known: a sphere around it, which nothing may touch,
     tells how far it reaches.
     """
-    rigid = HullLaw(*RIGID)
+    rigid = hull_law(RIGID)
     parts = []
     for j in range(vehicle.arm_count):
         disc = PartSolid(_disc(vehicle.arms.at("cage_radius", j)), rigid)
-        parts.append((disc, *map(_of_hull, vehicle.hulls_on(j + 1))))
+        cage = (disc,) if vehicle.arms.cages else ()
+        parts.append((*cage, *map(_of_hull, vehicle.hulls_on(j + 1))))
     if vehicle.has_body_hull:
         ball = () if vehicle.hull is None else (PartSolid(_ball(vehicle.hull), rigid),)
         parts.append((*ball, *map(_of_hull, vehicle.hulls_on("body"))))
@@ -54,10 +56,11 @@ def solids_of(vehicle: Vehicle) -> tuple[tuple[PartSolid, ...], ...]:
 
 def reach_of_part(part: tuple[PartSolid, ...]) -> float:
     """Distance of the farthest point of a part from its origin [m], or a little more."""
-    return max(
+    reach = [
         float(np.linalg.norm(one.solid.centre) + np.linalg.norm(one.solid.half_lengths()))
         for one in part
-    )
+    ]
+    return max(reach, default=0.0)
 
 
 def scene_of_part(part: tuple[PartSolid, ...], surface: Surface) -> SolidScene:
@@ -69,6 +72,17 @@ def scene_of_part(part: tuple[PartSolid, ...], surface: Surface) -> SolidScene:
     """
     solids = [one.solid._replace(surface=k) for k, one in enumerate(part)]
     return scene_of(solids, [in_series(surface, one.law) for one in part])
+
+
+def remember(surface: Surface, solids: tuple[tuple[PartSolid, ...], ...]) -> bool:
+    """True if a contact between two vehicles has a memory.
+
+    Args:
+        surface: Of the contact.
+        solids: Of the parts that are touched.
+    """
+    laws = [one.law.hysteresis for part in solids for one in part]
+    return remembers(surface) or any(law.shape > 0.0 or law.curve > 0.0 for law in laws)
 
 
 def _solid(
@@ -89,7 +103,7 @@ def _ball(hull: Hull | SphereHull) -> Solid:
 
 
 def _of_hull(hull: Any) -> PartSolid:
-    law = HullLaw(*(RIGID if hull.surface is None else hull.surface.numbers()))
+    law = hull_law(RIGID if hull.surface is None else hull.surface.numbers())
     return PartSolid(_solid_of_hull(hull), law)
 
 

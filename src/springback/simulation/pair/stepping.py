@@ -14,7 +14,8 @@ from typing import Any, NamedTuple
 
 from springback.contact.moving.bodies import BodyAccelerations, MovingBody
 from springback.dynamics.clearance import HASTE, has_room
-from springback.dynamics.motion import ArmView, Engaged, HullView, Rates, View
+from springback.dynamics.limbs.arms import ArmView
+from springback.dynamics.motion import Engaged, HullView, Rates, View
 from springback.dynamics.touches import PartPush
 from springback.kernels.compiler import Origin, executor, kernel, user_executor, with_globals
 from springback.kernels.layout import Buffer, TreeLayout, read, row_of, write
@@ -38,14 +39,14 @@ from springback.simulation.executor import (
 from springback.simulation.flight import SLICE, own_types, sources
 from springback.simulation.guided import FLY, LOOK, TickRange
 from springback.simulation.lanes import CRUISES, places
-from springback.simulation.pair.parts import part_accelerations, parts_of
-from springback.simulation.record import (
+from springback.simulation.measuring.record import (
     ARRIVED,
     FINISHED,
     FLYING,
     awaits_return,
     is_quiet,
 )
+from springback.simulation.pair.parts import part_accelerations, parts_of
 from springback.simulation.ticks import (
     FlightBuffers,
     FlightLog,

@@ -8,6 +8,8 @@ Lengths in the files are half widths of the cube.  A row is position, attitude w
 world axes, angular velocity in the cube's axes, and six inputs, which are zero.  Files are of
 PyTorch's first format: pickles and then the numbers; they are read without it, and no code in them
 is run.
+
+    python -m springback.studies.recordings.cube_tosses FOLDER
 """
 
 from __future__ import annotations
@@ -15,6 +17,8 @@ from __future__ import annotations
 import collections
 import io
 import pickle
+import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -23,6 +27,7 @@ from scipy.spatial.transform import Rotation
 
 from springback.errors import InputError
 from springback.results.flight import fly
+from springback.studies.recordings.command import run_study
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -195,3 +200,18 @@ def toss_sentences(tosses: list[Toss], law: TossLaw = FROZEN) -> list[str]:
         f"{100.0 * same:.0f} %",
         f"largest rest of a ledger: {max(one.ledger for one in found):.1e}",
     ]
+
+
+def toss_lines(folder: Path | None) -> Iterator[str]:
+    """`toss_sentences` of a copy of the repository.
+
+    Raises:
+        InputError: If none is named, or it has no tosses that can be read.
+    """
+    if folder is None:
+        raise InputError("no folder was named; name a copy of github.com/DAIRLab/contact-nets")
+    yield from toss_sentences(read_tosses(folder))
+
+
+if __name__ == "__main__":
+    sys.exit(run_study(toss_lines, sys.argv[1:]))

@@ -14,8 +14,10 @@ from springback.interfaces.animation.bodies import (
     ViewPlane,
     arm_line,
     body_outline,
+    end_places,
     ends,
     half_plane,
+    is_hinged,
     pose,
     ring,
     views,
@@ -72,15 +74,15 @@ def _robot(
     chart: Chart, view: ViewPlane, arms: tuple[ArmShape, ...], now: SceneInstant, colour: str
 ) -> None:
     """Draw arms, cages and main body; names are for the table only."""
-    tips = ends(arms, now)
-    for j, arm in enumerate(arms, start=1):
-        cage = view(ring(tips[j - 1], arm.cage_radius, now.rotation))
+    places = end_places(arms, now)
+    for j, (arm, tip) in enumerate(zip(arms, places, strict=True), start=1):
+        cage = view(ring(tip.position, arm.cage_radius, tip.rotation))
         chart.curve(f"cage {j}", *cage.T, key=False, color=INK, lw=1.2, zorder=3)
         line = view(arm_line(arm, now, float(now.lengths[j - 1])))
-        width = 1.0 if arm.compliant else 2.6
+        width = 1.0 if arm.compliant and not is_hinged(arm) else 2.6
         chart.curve(f"arm {j}", *line.T, key=False, color=colour, lw=width, zorder=4)
         rotor: dict[str, Any] = {"color": GREEN, "marker": "o", "ms": 3.5, "zorder": 5}
-        chart.curve(f"rotor {j}", *view(tips[j - 1]), key=False, **rotor)
+        chart.curve(f"rotor {j}", *view(tip.position), key=False, **rotor)
     chart.ax.fill(*view(body_outline(now)[0]).T, fc=colour, ec=INK, lw=0.8, zorder=5)
 
 
@@ -99,8 +101,8 @@ def contact_figure(scene: Scene) -> Figure:
     chart = Chart(ax, "x [m]", "y [m]", f"{scene.label}, {after:.1f} ms after first touch")
     _matter(ax, scene, view)
     free = now._replace(lengths=_free(scene))
-    for j, tip in enumerate(ends(scene.arms, free)):
-        rest = view(ring(tip, scene.arms[j].cage_radius, now.rotation))
+    for j, tip in enumerate(end_places(scene.arms, free)):
+        rest = view(ring(tip.position, scene.arms[j].cage_radius, tip.rotation))
         name = "cage, arm at its free length" if j == 0 else f"free cage {j + 1}"
         look: dict[str, Any] = {"color": GREY, "lw": 0.9, "ls": (0, (2, 2)), "zorder": 2}
         chart.curve(name, *rest.T, key=j == 0, **look)

@@ -9,15 +9,19 @@ from typing import Any
 import numpy as np
 
 from springback.dynamics.ledger import ledger_balance
-from springback.simulation.columns import Array, as_columns
 from springback.simulation.flight import FlightRecord
-from springback.simulation.record import NOT_FINITE, Record
+from springback.simulation.measuring.columns import Array, as_columns
+from springback.simulation.measuring.record import NOT_FINITE, Record
+from springback.vehicle.limits import NO_LIMIT
+
+Flags = np.ndarray[Any, np.dtype[np.bool_]]
 
 
 class Outcome(Enum):
     """Outcome of a flight; the value is its sentence."""
 
     NOT_FINITE = "the simulation diverged; the last good state is kept"
+    BROKEN = "a part was loaded beyond its limit"
     HIT_GROUND = "touched the ground"
     ARM_BOTTOMED = "an arm reached the end of its stroke"
     IN_CONTACT = "still in contact with an obstacle at the end"
@@ -42,6 +46,7 @@ def outcomes_of(record: Any) -> list[Outcome]:
     """Outcomes of many flights, from a `Record` whose leaves are columns."""
     claims = [
         (Outcome.NOT_FINITE, record.stepping.status == NOT_FINITE),
+        (Outcome.BROKEN, _is_broken(record)),
         (Outcome.HIT_GROUND, record.contacts.ground_time >= 0.0),
         (Outcome.ARM_BOTTOMED, record.contacts.bottomed_time >= 0.0),
         (Outcome.IN_CONTACT, record.contacts.touching > 0.0),
@@ -59,12 +64,12 @@ def first_claimed(claims: list[tuple[Outcome, Any]], otherwise: Outcome) -> list
 
 
 #: Outcomes of a flight without a pilot that are no success.
-FAILURES = (Outcome.HIT_GROUND, Outcome.ARM_BOTTOMED, Outcome.NOT_FINITE)
+FAILURES = (Outcome.BROKEN, Outcome.HIT_GROUND, Outcome.ARM_BOTTOMED, Outcome.NOT_FINITE)
 
 #: Unit and meaning of each measure.  Those of the first impact are from its first touch until the
 #: arms have settled, the others of the whole flight.
 MEASURES = {
-    "restitution_at_separation": ("", "|v_n| of the main body, last separation / first touch"),
+    "restitution_at_separation": ("", "v_n of the main body, out at last separation / in at touch"),
     "restitution_at_return": ("", "the same, when it is back where it was at first touch"),
     "restitution_of_mass_centre": ("", "the same for the centre of mass, last separation"),
     "touch_time": ("s", "first touch"),
@@ -119,6 +124,15 @@ MEASURES = {
     "ground_time": ("s", "a cage or the hull touched the ground"),
     "propeller_hit_time": ("s", "a propeller was hit; needs propulsion.disk_radius"),
     "propellers_hit": ("", "number of propellers that were hit; likewise"),
+    "rotor_stop_time": ("s", "a rotor stopped, hit; needs propulsion.stop"),
+    "rotors_stopped": ("", "number of rotors that stopped at least once; likewise"),
+    "guard_margin": (
+        "",
+        "what the most loaded guard could bear more, over its limit; needs vehicle.limits",
+    ),
+    "arm_margin": ("", "the same for the force along an arm"),
+    "component_margin": ("", "the same for the specific force at a component"),
+    "broken_time": ("s", "a part was loaded beyond its limit"),
     "end_time": ("s", "end of the simulation"),
     "steps": ("", "Runge-Kutta steps taken"),
     "energy_start": ("J", "kinetic and stored energy, gravity above the start"),
@@ -159,8 +173,9 @@ def _time(value: Array) -> Array:
 
 
 def _ratio(speed: Array, touch_speed: Array, happened: Array) -> Array:
+    """Speed out of the obstacle over that at touch; negative if it still moves on into it."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        return where(happened & (touch_speed != 0.0), np.abs(speed) / np.abs(touch_speed))
+        return where(happened & (touch_speed != 0.0), -speed / np.abs(touch_speed))
 
 
 def _body_contacts(record: Any) -> Array:
@@ -168,18 +183,48 @@ def _body_contacts(record: Any) -> Array:
     return next(iter(record.contacts.hull), np.full_like(record.contacts.total, np.nan))
 
 
-def _first_hit(contacts: Any) -> Array:
-    """When the first propeller was hit [s]; NaN if none was, or their size is unknown."""
-    unknown = np.full_like(contacts.total, np.nan)
-    times = [_time(time) for time in contacts.propellers]
-    return np.asarray(np.fmin.reduce([unknown, *times]))
+def _first_time(times: tuple[Array, ...], like: Array) -> Array:
+    """When something first happened to any propeller or rotor [s]; NaN if it did not.
+
+    Args:
+        times: Of each; negative if it did not happen; empty if it is not known.
+        like: Of the shape of a column.
+    """
+    unknown = np.full_like(like, np.nan)
+    return np.asarray(np.fmin.reduce([unknown, *map(_time, times)]))
 
 
-def _number_hit(contacts: Any) -> Array:
-    """Number of propellers that were hit; NaN if their size is unknown."""
-    times = contacts.propellers
-    unknown = np.full_like(contacts.total, np.nan)
+def _number_of(times: tuple[Array, ...], like: Array) -> Array:
+    """To how many it happened, arguments as for `_first_time`; NaN if it is not known."""
+    unknown = np.full_like(like, np.nan)
     return np.asarray(sum(1.0 * (time >= 0.0) for time in times)) if times else unknown
+
+
+def _margin(record: Any, parts: str) -> Array:
+    """1 less the largest share of a limit that a load was, over some parts; NaN without a limit."""
+    unknown = np.full_like(record.contacts.total, np.nan)
+    margins = [
+        where(one.broken_time != NO_LIMIT, 1.0 - one.share)
+        for one in getattr(record.loads, parts, ())
+    ]
+    return np.asarray(np.fmin.reduce([unknown, *margins]))
+
+
+def _broken_times(record: Any) -> tuple[Array, ...]:
+    """When each part was first loaded beyond its limit; empty where there is none."""
+    parts = [getattr(record.loads, name, ()) for name in ("guards", "arms", "components")]
+    return tuple(one.broken_time for group in parts for one in group)
+
+
+def _is_broken(record: Any) -> Flags:
+    """True for flights that fail by a load beyond a limit."""
+    first = _first_time(_broken_times(record), record.contacts.total)
+    return np.asarray(np.isfinite(first) & (getattr(record.loads, "breaks", 0.0) > 0.0))
+
+
+def _stop_times(record: Any) -> tuple[Array, ...]:
+    """When each rotor first stopped; empty where hits stop none."""
+    return tuple(hits.stop_time for hits in getattr(record.hits, "rotors", ()))
 
 
 def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str, Array]:
@@ -236,8 +281,12 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
         "impacts": contacts.impacts,
         "bottomed_time": _time(contacts.bottomed_time),
         "ground_time": _time(contacts.ground_time),
-        "propeller_hit_time": _first_hit(contacts),
-        "propellers_hit": _number_hit(contacts),
+        "propeller_hit_time": _first_time(contacts.propellers, contacts.total),
+        "propellers_hit": _number_of(contacts.propellers, contacts.total),
+        "rotor_stop_time": _first_time(_stop_times(record), contacts.total),
+        "rotors_stopped": _number_of(_stop_times(record), contacts.total),
+        **{f"{kind}_margin": _margin(record, f"{kind}s") for kind in ("guard", "arm", "component")},
+        "broken_time": _first_time(_broken_times(record), contacts.total),
         "end_time": stepping.time,
         "steps": stepping.steps,
         "energy_start": balance.start,

@@ -8,35 +8,49 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
+from springback.contact.laws.step_bounds import stiffness_rate
 from springback.contact.obstacles import World
 from springback.dynamics.clearance import (
     HASTE,
     Search,
+    disc_gaps,
     first_hits,
     has_room,
-    propeller_gaps,
     room_around,
     search_at,
 )
 from springback.dynamics.crossing import crossing, sooner, soonest, time_to
-from springback.dynamics.motion import LANDED, ArmView, Engaged, Motion, View
+from springback.dynamics.limbs.arms import ArmView
+from springback.dynamics.limbs.locked import RigidRates, RigidState
+from springback.dynamics.motion import LANDED, Engaged, Motion, View
 from springback.dynamics.obstacle_views import faster, first_hit, nearer, speed_beside
-from springback.dynamics.rigid import RigidRates, RigidState
 from springback.kernels.compiler import kernel
-from springback.kernels.trees import field_of, fold, maximum, minimum, replace, select, tree_map
+from springback.kernels.trees import (
+    field_of,
+    fold,
+    maximum,
+    minimum,
+    one_tuple,
+    replace,
+    select,
+    tree_map,
+)
 from springback.kernels.vectors import Vec, larger, norm, smaller
-from springback.simulation.peaks import (
+from springback.simulation.measuring.peaks import (
     NOTHING_YET,
     Peaks,
     PeakSample,
     Recent,
+    largest_change,
     largest_so_far,
     peaks_after,
     peaks_now,
 )
 from springback.simulation.thrusts import ARRIVED as ARRIVED
 from springback.simulation.thrusts import Ramp
-from springback.vehicle.state import Airframe, Arm, State, fastest_cage, fastest_point
+from springback.vehicle.placed.rotors import guards_of
+from springback.vehicle.rotor_stop import UNHIT, Hits, hits_after
+from springback.vehicle.state import Airframe, State, fastest_cage, fastest_point, resting_stiffness
 
 FLYING, FINISHED, NOT_FINITE = 0.0, 1.0, 2.0
 FREE_FLIGHT, IMPACT = 0.0, 1.0
@@ -45,16 +59,6 @@ NOTHING, LOCK_ARMS, APPLY_IMPULSE = 0.0, 1.0, 2.0
 #: body, far from everything; or undecided until the clearance is checked.
 STEERED, CRUISING, MAY_LOOK = 0.0, 1.0, 2.0
 
-#: A step is at most this many times the time in which friction stops a cage (chosen: stable up to
-#: 2.785, and at 2.25 the energy ledger of hard impacts is twice as far off).
-FRICTION_SHARE = 2.0
-#: A step is at most this share of the time scale of contacts and end stops, 1/(ω + 2 ζ ω) ...
-CONTACT_SHARE = 0.35
-#: ... and of the time scale of a slip, whose friction may reverse (both chosen:
-#: studies/families.py).
-SLIP_SHARE = 0.25
-PER_FRICTION_SHARE, PER_CONTACT_SHARE = 1.0 / FRICTION_SHARE, 1.0 / CONTACT_SHARE
-PER_SLIP_SHARE = 1.0 / SLIP_SHARE
 #: A step to a crossing is at least this share of the impact step.
 SHORTEST = 1e-3
 TINY = 1e-9  # against division by zero
@@ -85,6 +89,9 @@ class Model(NamedTuple):
     timing: Timing
     ramp: tuple[Ramp, ...] = ()  # one if the thrusts change with time
     pushes: Any = ()  # `Pushes` of another vehicle, if there is one
+    reaction: tuple[Any, ...] = ()  # of rotors that change speed, if known [N m]: `Plant`
+    limits: Any = ()  # `LoadLimits`, if the vehicle has any
+    surface_effect: Any = ()  # one `SurfaceEffect`, if surfaces change the thrust
 
 
 class Stepping(NamedTuple):
@@ -143,10 +150,12 @@ class Record(NamedTuple):
     peaks: Peaks  # of the whole flight
     impact_peaks: Peaks  # of the first impact, from its first touch until its arms have settled
     recent: Recent  # the last two instants, for peaks between instants
+    hits: Any = ()  # `Hits`, where they stop rotors
+    loads: Any = ()  # `PeakLoads`, where the vehicle has limits
 
 
-def blank_record(engaged: Engaged, propellers: int) -> Record:
-    """Record of a flight that has not begun, by its contact flags and the number of propellers."""
+def blank_record(engaged: Engaged, propellers: int, rotors: int = 0) -> Record:
+    """Record before a flight, by contact flags and numbers of propellers and rotors that stop."""
     never, hits = -1.0, (-1.0,) * propellers
     none, hull = (0.0,) * len(engaged.arms), (0.0,) * len(engaged.hull)
     peaks = Peaks(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
@@ -161,17 +170,8 @@ def blank_record(engaged: Engaged, propellers: int) -> Record:
         peaks,
         peaks._replace(acceleration_time=never),
         NOTHING_YET,
+        Hits((UNHIT,) * rotors) if rotors else (),
     )
-
-
-@kernel
-def _change(now: float, before: float) -> float:
-    return (now - before) * (now - before)
-
-
-@kernel
-def _largest_change(now: tuple[float, ...], before: tuple[float, ...]) -> float:
-    return maximum(tree_map(_change, (now, before), ()))
 
 
 @kernel
@@ -180,12 +180,12 @@ def _touch(engaged: tuple[float, ...]) -> float:
 
 
 @kernel
-def _is_unsettled(arm: Arm, view: ArmView, rate: float, timing: Timing) -> float:
+def _is_unsettled(arm: Any, view: ArmView, rate: float, timing: Timing) -> float:
     """1 while a sliding arm is away from its balance, or moves.
 
     Its balance is its free length only while the vehicle does not turn.
     """
-    away = abs(view.unbalance) > arm.stiffness * timing.arm_tolerance
+    away = abs(view.unbalance) > resting_stiffness(arm) * timing.arm_tolerance
     moving = abs(rate) > timing.rate_tolerance
     return arm.compliance if away | moving else 0.0
 
@@ -247,11 +247,11 @@ def awaits_return(impacts: float, first: FirstImpact) -> bool:
 
 @kernel
 def is_quiet(
-    timing: Timing, touching: float, phase: float, impact_open: float, ahead: bool, bodies: Any
+    timing: Timing, touching: float, phase: float, impact_open: float, ahead: bool, others: Any
 ) -> bool:
-    """True if a step as one rigid body misses no event; never where obstacles move."""
+    """True if a step as one rigid body misses nothing; never where obstacles move or give lift."""
     still = (touching == 0.0) & (phase == FREE_FLIGHT) & (impact_open == 0.0)
-    return still & (not ahead) & (timing.hybrid > 0.0) & (len(bodies) == 0)
+    return still & (not ahead) & (timing.hybrid > 0.0) & (len(others) == 0)
 
 
 @kernel
@@ -276,11 +276,9 @@ def clearance_check(model: Model, state: State, m: Record) -> ClearanceCheck:
     """Kind of the next step by the distances of all parts from all obstacles."""
     room = room_around(model.airframe, model.world, model.contact_point, state)
     fastest = fastest_point(model.airframe, state.velocity, state.angular_velocity)
-    contacts, ahead = m.contacts, awaits_return(m.contacts.impacts, m.first_impact)
-    quiet = is_quiet(
-        model.timing, contacts.touching, m.stepping.phase, contacts.impact_open, ahead,
-        state.bodies,
-    )  # fmt: skip
+    c, ahead = m.contacts, awaits_return(m.contacts.impacts, m.first_impact)
+    others, phase = state.bodies + model.surface_effect, m.stepping.phase
+    quiet = is_quiet(model.timing, c.touching, phase, c.impact_open, ahead, others)
     cruising = select(quiet & has_room(room, fastest, model.timing.free_step), CRUISING, STEERED)
     return ClearanceCheck(cruising, room)
 
@@ -341,7 +339,7 @@ def situation_of(model: Model, state: State, view: View, m: Record) -> Situation
 def _contacts_after(
     view: View, m: Record, at: Situation, step: float, discs: tuple[float, ...]
 ) -> Contacts:
-    """Contacts after an instant; ``step`` is the next one [s], ``discs`` as of `propeller_gaps`."""
+    """Contacts after an instant; ``step`` is the next one, ``discs`` gaps of propellers [m]."""
     before, time = m.contacts, m.stepping.time
     engaged = before.engaged
     bottomed = maximum(field_of(view.arms, "bottomed")) > 0.0
@@ -438,8 +436,7 @@ def _stepping_after(
     near = minimum(field_of(view.arms, "gap") + field_of(view.hull, "gap") + discs)
     near = select(search.looks > 0.0, fold(nearer, near, view.bodies, ()), search.room)
     haste = larger(fold(faster, fastest_cage(model.airframe, state), view.bodies, ()), TINY)
-    stiff = larger(view.contact_rate * PER_CONTACT_SHARE, view.slip_rate * PER_SLIP_SHARE)
-    stiff = larger(larger(stiff, view.friction_rate * PER_FRICTION_SHARE), 1.0)
+    stiff = stiffness_rate(view.friction_rate, view.contact_rate, view.slip_rate)
     both = 1.0 / (haste * stiff)  # one division for two
     step = smaller(step, larger(near * (stiff * both), timing.impact_step))
     step = smaller(step, larger(haste * both, SHORTEST * timing.impact_step))
@@ -448,7 +445,8 @@ def _stepping_after(
     changed = (phase != now.phase) | at.strikes
     halted = finished | changed | (now.status != FLYING)
     step = select(halted, 0.0, smaller(step, left))
-    quiet = is_quiet(timing, at.touching, phase, at.impact_open, ahead, state.bodies)
+    others = state.bodies + model.surface_effect
+    quiet = is_quiet(timing, at.touching, phase, at.impact_open, ahead, others)
     quiet = quiet & (step > 0.0)
     return Stepping(
         time=now.time,
@@ -471,7 +469,8 @@ def record_after(model: Model, motion: Motion, view: View, m: Record, search: Se
     state, now = motion.state, m.stepping
     at = situation_of(model, state, view, m)
     first: FirstImpact = _first_impact_after(state, view, m, at)
-    discs = propeller_gaps(model.airframe, model.world, state, search.looks)
+    gaps = disc_gaps(model.airframe, model.world, state, search.looks)
+    discs = one_tuple(gaps)
     stepping: Stepping = _stepping_after(model, state, view, m, at, first, search, discs)
     sample = PeakSample(
         norm(view.acceleration),
@@ -479,7 +478,7 @@ def record_after(model: Model, motion: Motion, view: View, m: Record, search: Se
         maximum(field_of(view.arms, "normal") + field_of(view.hull, "normal")),
     )
     parts = (at.engaged.arms + at.engaged.hull, m.contacts.engaged.arms + m.contacts.engaged.hull)
-    jumped = maximum(tree_map(_largest_change, parts, ())) > 0.0
+    jumped = maximum(tree_map(largest_change, parts, ())) > 0.0
     smooth = (now.step > 0.0) & (not jumped)
     peaks = peaks_now(state.angular_velocity, view, sample, m.recent, now, smooth)
     within = (at.impacts == 1.0) & (at.phase == IMPACT)  # until its arms have settled
@@ -491,4 +490,6 @@ def record_after(model: Model, motion: Motion, view: View, m: Record, search: Se
         peaks_after(m.peaks, peaks, True),
         peaks_after(m.impact_peaks, peaks, within),
         select(now.status == FLYING, recent, m.recent),
+        hits_after(m.hits, guards_of(model.airframe.rotors, view.arms), gaps),
+        m.loads,
     )

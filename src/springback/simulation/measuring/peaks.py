@@ -10,7 +10,8 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.dynamics.motion import ArmView, View
+from springback.dynamics.limbs.arms import ArmView
+from springback.dynamics.motion import View
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import field_of, maximum, select, tree_map
 from springback.kernels.vectors import Vec, larger, norm
@@ -54,6 +55,17 @@ class Peak(NamedTuple):
 
 #: Before the first instant.
 NOTHING_YET = Recent(0.0, PeakSample(0.0, 0.0, 0.0), PeakSample(0.0, 0.0, 0.0))
+
+
+@kernel
+def _change(now: float, before: float) -> float:
+    return (now - before) * (now - before)
+
+
+@kernel
+def largest_change(now: tuple[float, ...], before: tuple[float, ...]) -> float:
+    """The largest square of a change among several numbers, such as flags of contact."""
+    return maximum(tree_map(_change, (now, before), ()))
 
 
 class Spacing(NamedTuple):
@@ -139,7 +151,7 @@ def peaks_now(
         view: Of the vehicle.
         sample: Of this instant.
         recent: The last two instants.
-        stepping: `springback.simulation.record.Stepping` of this instant.
+        stepping: `springback.simulation.measuring.record.Stepping` of this instant.
         smooth: True if nothing has jumped since the last.
     """
     apart = spacing(recent, stepping.step, smooth)

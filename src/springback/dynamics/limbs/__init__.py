@@ -1,0 +1,1 @@
+"""Arms in the equations of motion."""

@@ -1,0 +1,1 @@
+"""A vehicle of one's own from a few answers."""

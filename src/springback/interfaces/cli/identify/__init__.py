@@ -1,0 +1,1 @@
+"""The commands ``springback identify ...``: recordings of real flights."""

@@ -1,0 +1,1 @@
+"""Recordings of real and simulated flights: read, checked, searched for impacts, written."""

@@ -1,0 +1,1 @@
+"""Writers of simulated flights in the formats of other programs."""

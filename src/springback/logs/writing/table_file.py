@@ -1,0 +1,95 @@
+"""Recordings as a table in CSV, with a mapping file that says what its columns are."""
+
+from __future__ import annotations
+
+import csv
+import itertools
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from springback.files import atomic_file, write_atomically
+from springback.logs.recording import ATTITUDE, QUANTITIES, Array, LogChannel, Recording
+
+
+def write_table(recording: Recording, path: Path) -> list[str]:
+    """Write a recording as CSV, and beside it a mapping file of the same name, ``.toml``.
+
+    Each clock and rate has a column of times of its own; numbers are written in full.
+
+    Args:
+        recording: What is written.
+        path: The file, ``.csv``.
+
+    Returns:
+        Nothing is left out: an empty list.
+    """
+    groups: list[tuple[str, Array]] = []
+    columns: list[tuple[str, Array]] = []
+    entries: list[str] = []
+    for channel in recording.channels:
+        time = next((name for name, at in groups if np.array_equal(at, channel.times)), None)
+        if time is None:
+            time = f"t{len(groups) + 1}"
+            groups.append((time, channel.times))
+            columns.append((time, channel.times))
+        stem = channel.name.replace(" ", "_").replace(",", "_")
+        names = [f"{stem}.{label}" for label in _labels(channel)]
+        columns += list(zip(names, channel.values.T, strict=True))
+        entries.append(_entry(channel, time, names))
+    mapping = [
+        "# What the columns of the table are: springback identify inspect FILE.toml",
+        f"file = {json.dumps(path.name)}",
+        "",
+        "[axes]",
+        'world = "nwu"',
+        'body = "flu"',
+        "",
+        *entries,
+    ]
+    with atomic_file(path) as draft, draft.open("w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow([name for name, _ in columns])
+        texts: list[list[str]] = [list(map(_text, values)) for _, values in columns]
+        writer.writerows(itertools.zip_longest(*texts, fillvalue=""))
+    write_atomically(path.with_suffix(".toml"), "\n".join(mapping))
+    return []
+
+
+def _text(value: Any) -> str:
+    return "" if np.isnan(value) else repr(float(value))
+
+
+def _labels(channel: LogChannel) -> list[str]:
+    width = channel.values.shape[1]
+    if channel.quantity == ATTITUDE:
+        return list("wxyz")
+    if channel.labels and 3 * len(channel.labels) == width:
+        return [f"{name}.{axis}" for name in channel.labels for axis in "xyz"]
+    return list("xyz") if width == 3 else [str(k + 1) for k in range(width)]
+
+
+def _entry(channel: LogChannel, time: str, names: list[str]) -> str:
+    """Table of a channel in the mapping."""
+    chain, unit = channel.chain, QUANTITIES[channel.quantity].unit
+    lines = [
+        "[[channels]]",
+        f"name = {json.dumps(channel.name, ensure_ascii=False)}",
+        f'quantity = "{channel.quantity}"',
+        f"columns = {json.dumps(names, ensure_ascii=False)}",
+        f'unit = "{unit}"',
+        f'time = "{time}"',
+        f"clock = {json.dumps(channel.clock, ensure_ascii=False)}",
+    ]
+    if channel.is_lost.any():
+        lines.append('blank = "lost"')
+    if chain.full_scale is not None:
+        lines.append(f"full_scale = {chain.full_scale!r}")
+    if chain.average is not None:
+        lines.append(f"average = {chain.average!r}")
+    if chain.low_pass is not None:
+        lines.append(f"low_pass = {chain.low_pass!r}")
+    lines += [f"{word} = true" for word in ("estimated", "smoothed") if getattr(chain, word)]
+    return "\n".join([*lines, ""])

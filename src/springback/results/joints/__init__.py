@@ -1,0 +1,1 @@
+"""Histories of vehicles whose arms are on joints."""

@@ -1,0 +1,1 @@
+"""Arms of a vehicle: their settings, and those on joints."""

@@ -1,0 +1,358 @@
+"""Joints of arms: validated user input, converted to the numbers of the equations.
+
+Vectors are in the axes of each arm: x along its direction in the body plane, z along body z, y to
+complete them; the origin is the centre of the main body.  One vector thus serves all arms of a
+symmetric vehicle.
+"""
+
+from __future__ import annotations
+
+import math
+from itertools import pairwise
+from typing import Annotated, Any, ClassVar, Literal
+
+import numpy as np
+from pydantic import BeforeValidator, Field
+
+from springback.errors import shown_value
+from springback.kernels.tracing import sqrt
+from springback.kernels.vectors import Vec, norm
+from springback.quantities import Pair, PerArm, Triple, TriplePerArm, Unit
+from springback.settings import Settings, naming, problem
+from springback.vehicle.arms.joints import Joint, JointSpring, Latch, latch_force
+from springback.vehicle.force_curves import force_table
+
+#: Most points of a table (chosen).
+MOST_POINTS = 64
+#: Least length of a vector that tells a direction (chosen).
+SHORTEST = 1e-6
+#: Arc of a hinge's travel to either side, at most (chosen: beyond it arms meet the main body).
+MOST_ANGLE = math.pi
+
+
+def _points(way: str, force: str) -> Any:
+    """Reader of pairs of a travel and a force, or of an angle and a torque."""
+
+    def read(value: Any) -> Any:
+        if value is None:
+            return None
+        if not isinstance(value, list | tuple) or not 2 <= len(value) <= MOST_POINTS:
+            raise problem(
+                f"must be 2 to {MOST_POINTS} pairs in {way} and {force} (got {shown_value(value)})"
+            )
+        ways, forces, found = Unit(way, least=0.0), Unit(force, least=0.0), []
+        for k, pair in enumerate(value):
+            with naming(f"[{k}]"):
+                if not isinstance(pair, list | tuple) or len(pair) != 2:
+                    raise problem(f"must be a pair in {way} and {force} (got {shown_value(pair)})")
+                found.append((ways.read(pair[0]), forces.read(pair[1])))
+        if found[0] != (0.0, 0.0):
+            x, y = found[0]
+            raise problem(f"must be 0 {way}, 0 {force} (got {x:g} {way}, {y:g} {force})", "[0]")
+        for k, ((x, y), (further, more)) in enumerate(pairwise(found), start=1):
+            if not further > x:
+                raise problem(f"must be more than {x:g} {way}, the one before (got {further:g})",
+                              f"[{k}]")  # fmt: skip
+            if more < y:
+                raise problem(
+                    f"must be at least {y:g} {force}, the one before: a spring that gets weaker as "
+                    f"it is pressed in snaps through (got {more:g} {force})",
+                    f"[{k}]",
+                )
+        return tuple(found)
+
+    return read
+
+
+Points = tuple[tuple[float, float], ...]
+
+
+class _JointSettings(Settings):
+    """What slides and hinges have in common."""
+
+    rotors: Literal["arm", "body"] = "arm"
+    """Whether the axis of a rotor turns with its arm, or remains that of the body."""
+    one_sided: bool = False
+    """True: the spring acts only while the arm is pressed in, not beyond its free length."""
+
+    def spring(self, radius: float, j: int) -> JointSpring:
+        """Numbers of the spring of arm ``j``, from 0, along the path of its end.
+
+        Args:
+            radius: Of the path [m]; 1 for a slide.
+            j: The arm.
+        """
+        given: Any = self
+        table = given.table
+        curve: tuple[float, ...] = ()
+        if table is not None:
+            curve = (force_table(tuple((x * radius, y / radius) for x, y in table)),)
+        return JointSpring(
+            quadratic=self._at("quadratic", j) / radius**3,
+            preload=self._at("preload", j) / radius,
+            play=self._at("play", j) * radius,
+            both_sides=0.0 if self.one_sided else 1.0,
+            curve=curve,
+            latch=self._latch(radius),
+        )
+
+    def _latch(self, radius: float) -> tuple[Latch, ...]:
+        """Numbers of the latch along the path of an arm's end, if there is one."""
+        given: Any = self
+        if given.latch is None:
+            return ()
+        return (Latch(given.latch.holds / radius, given.latch.travel * radius),)
+
+    def _is_for_each(self, name: str) -> bool:
+        """Whether a field has a value for each arm."""
+        value = getattr(self, name)
+        if name in _VECTORS:
+            return isinstance(value[0], tuple)
+        return name in PER_ARM and isinstance(value, tuple)
+
+    @property
+    def differs(self) -> bool:
+        """True if a number or a vector is given for each arm."""
+        return any(self._is_for_each(name) for name in type(self).model_fields)
+
+    def _at(self, name: str, j: int) -> float:
+        value = getattr(self, name)
+        return float(value[j]) if isinstance(value, tuple) else value
+
+    def stiffness_of(self, radius: float, j: int) -> float:
+        """Stiffness of arm ``j`` along the path of its end [N/m]; of a table, at its beginning."""
+        given: Any = self
+        if given.table is not None:
+            x, y = next((point for point in given.table if point[1] > 0.0), given.table[1])
+            return float(y / x) / radius**2
+        return self._at("stiffness", j) / radius**2
+
+    def secant_of(self, radius: float, j: int) -> float:
+        """Stiffness of arm ``j`` from its free position to the end of its travel [N/m]."""
+        given: Any = self
+        most = given.travel[1]
+        if given.table is not None:
+            xs, ys = zip(*given.table, strict=True)
+            force = float(np.interp(most, xs, ys))
+        else:
+            force = (self._at("stiffness", j) + self._at("quadratic", j) * most) * most
+        own = (force + self._at("preload", j)) / (most * radius**2)
+        for latch in self._latch(radius):
+            own += latch_force(latch, most * radius).force / (most * radius)
+        return float(own)
+
+    def damping_of(self, radius: float, j: int) -> float:
+        """Damping of arm ``j`` along the path of its end [N s/m]."""
+        return self._at("damping", j) / radius**2
+
+    def steepest(self, radius: float, j: int) -> float:
+        """The largest stiffness of arm ``j`` in its travel, along the path of its end [N/m]."""
+        given: Any = self
+        most = max(abs(x) for x in given.travel) * radius
+        linear = 0.0 if given.table is not None else self.stiffness_of(radius, j)
+        own = linear + 2.0 * self._at("quadratic", j) / radius**3 * most
+        slopes = [
+            (more - y) / (further - x) / radius**2
+            for (x, y), (further, more) in pairwise(given.table or ())
+        ]
+        held = [16.0 / 9.0 * latch.force / latch.travel for latch in self._latch(radius)]
+        # A cubic between points may be steeper than they are.
+        return float(own + 1.5 * max(slopes, default=0.0) + sum(held))
+
+    def check(self, count: int, compliant: tuple[bool, ...], end_stops: bool) -> None:
+        """Reject numbers of another number of arms, and those that do not go together."""
+        given: Any = self
+        for name in type(self).model_fields:
+            value = getattr(self, name)
+            if self._is_for_each(name) and len(value) != count:
+                raise problem(f"has {len(value)} entries for {count} arms", name)
+        low, high = given.travel
+        unit = given.way
+        if not low <= 0.0 < high:
+            raise problem(
+                f"must be from at most 0 to more than 0 {unit}, the free position being 0 "
+                f"(got {low:g} to {high:g} {unit})",
+                "travel",
+            )
+        if given.way == "rad" and max(-low, high) > MOST_ANGLE:
+            raise problem(f"must be within half a turn (got {low:g} to {high:g} rad)", "travel")
+        for j in range(count):
+            if self._at("play", j) >= max(-low, high):
+                raise problem(
+                    f"must be less than the travel, {max(-low, high):g} {unit}: the spring would "
+                    f"never act (got {self._at('play', j):g} {unit})",
+                    "play",
+                )
+        if self.one_sided and low < 0.0:
+            raise problem(
+                f"must begin at 0 {unit} with one_sided: nothing would bring the arm back "
+                f"(got {low:g} {unit})",
+                "travel",
+            )
+        if given.latch is not None:
+            self._check_latch(given.latch.travel, end_stops)
+        strained = any(self._at("preload", j) > 0.0 for j in range(count))
+        if strained and (low < 0.0 or not end_stops):
+            raise problem(
+                f"needs the end stop at the free position: travel from 0 {unit}, and end_stops",
+                "preload",
+            )
+        for j in range(count):
+            stiffness = self._at("stiffness", j)
+            if given.table is not None and stiffness > 0.0:
+                raise problem("cannot be combined with table; give only one", "stiffness")
+            springs = stiffness > 0.0 or self._at("quadratic", j) > 0.0 or given.table is not None
+            if compliant[j] and not springs:
+                raise problem(
+                    f"of arm {j + 1} is missing: nothing would bring it back; give a stiffness, "
+                    "quadratic or table",
+                    "stiffness",
+                )
+
+    def _check_latch(self, opens: float, end_stops: bool) -> None:
+        given: Any = self
+        (low, high), unit = given.travel, given.way
+        if low < 0.0 or not end_stops:
+            raise problem(
+                f"needs the end stop at the free position: travel from 0 {unit}, and end_stops",
+                "latch",
+            )
+        if not opens < high:
+            raise problem(
+                f"must be less than the travel of the arm, {high:g} {unit}: it would meet its stop "
+                f"before the latch opens (got {opens:g} {unit})",
+                "latch.travel",
+            )
+
+
+#: Fields with one number for each arm.
+PER_ARM = ("stiffness", "damping", "quadratic", "preload", "play")
+#: Fields with one vector for all arms, or one for each.
+_VECTORS = ("direction", "position", "axis")
+
+
+class SlideLatch(Settings):
+    """Latch of a slide: it holds the arm out until a force opens it, and closes by itself."""
+
+    force: Annotated[float, Unit("N", above=0.0)]
+    """At which it opens."""
+    travel: Annotated[float, Unit("m", above=0.0)]
+    """By which it yields before it opens."""
+
+    @property
+    def holds(self) -> float:
+        """Force at which it opens [N]."""
+        return self.force
+
+
+class HingeLatch(Settings):
+    """Latch of a hinge, as that of a slide."""
+
+    torque: Annotated[float, Unit("N m", above=0.0)]
+    """At which it opens."""
+    travel: Annotated[float, Unit("rad", above=0.0)]
+    """Angle by which it yields before it opens."""
+
+    @property
+    def holds(self) -> float:
+        """Torque at which it opens [N m]."""
+        return self.torque
+
+
+class SlideSettings(_JointSettings):
+    """A slide in any direction."""
+
+    way: ClassVar[str] = "m"
+    type: Literal["slide"]
+    direction: Annotated[TriplePerArm, Unit("")] = (-1.0, 0.0, 0.0)
+    """In which the end of an arm moves as it is pressed in, in its axes; of any length."""
+    travel: Annotated[Pair, Unit("m")]
+    """From the stop at which the arm is longest, at most 0, to that at which it is pressed in."""
+    stiffness: Annotated[PerArm, Unit("N/m", least=0.0)] = 0.0
+    quadratic: Annotated[PerArm, Unit("N/m^2", least=0.0)] = 0.0
+    """Of a force k₂ x |x| besides."""
+    damping: Annotated[PerArm, Unit("N s/m", least=0.0)] = 0.0
+    preload: Annotated[PerArm, Unit("N", least=0.0)] = 0.0
+    """Force that holds the arm at its stop until more presses it in."""
+    play: Annotated[PerArm, Unit("m", least=0.0)] = 0.0
+    """Way to either side before the spring acts."""
+    table: Annotated[Points | None, BeforeValidator(_points("m", "N"))] = None
+    """Ways and forces in place of the stiffness, from (0, 0); the same to either side."""
+    latch: SlideLatch | None = None
+    """What holds the arm stiffly at its free length until a force opens it."""
+
+    def path(self, end: Vec, axes: tuple[Vec, Vec, Vec], j: int) -> Joint:
+        """Path of the end of arm ``j``.
+
+        Args:
+            end: Its place, body axes [m].
+            axes: Of the arm, in body axes.
+            j: The arm, from 0.
+        """
+        towards = _in_body(_of_arm(self.direction, j), axes)
+        if norm(towards) < SHORTEST:
+            raise problem("must be of some length", "direction")
+        along = towards * (-1.0 / norm(towards))
+        return Joint(end, along, _normal_to(along), 0.0, 1.0 if self.rotors == "arm" else 0.0)
+
+
+class HingeSettings(_JointSettings):
+    """A hinge about any axis."""
+
+    way: ClassVar[str] = "rad"
+    type: Literal["hinge"]
+    position: Annotated[TriplePerArm, Unit("m")] = (0.0, 0.0, 0.0)
+    """A point of the hinge's axis, in the axes of the arm."""
+    axis: Annotated[TriplePerArm, Unit("")]
+    """About which the arm turns as it is pressed in, right-handed; of any length."""
+    travel: Annotated[Pair, Unit("rad")]
+    """From the stop at which the arm is longest, at most 0, to that at which it is pressed in."""
+    stiffness: Annotated[PerArm, Unit("N m/rad", least=0.0)] = 0.0
+    quadratic: Annotated[PerArm, Unit("N m/rad^2", least=0.0)] = 0.0
+    """Of a torque κ₂ φ |φ| besides."""
+    damping: Annotated[PerArm, Unit("N m s/rad", least=0.0)] = 0.0
+    preload: Annotated[PerArm, Unit("N m", least=0.0)] = 0.0
+    """Torque that holds the arm at its stop until more presses it in."""
+    play: Annotated[PerArm, Unit("rad", least=0.0)] = 0.0
+    """Angle to either side before the spring acts."""
+    table: Annotated[Points | None, BeforeValidator(_points("rad", "N m"))] = None
+    """Angles and torques in place of the stiffness, from (0, 0); the same to either side."""
+    latch: HingeLatch | None = None
+    """What holds the arm stiffly at its free position until a torque opens it."""
+
+    def path(self, end: Vec, axes: tuple[Vec, Vec, Vec], j: int) -> Joint:
+        """Path of the end of arm ``j``; arguments as for `SlideSettings.path`."""
+        about = _in_body(_of_arm(self.axis, j), axes)
+        if norm(about) < SHORTEST:
+            raise problem("must be of some length", "axis")
+        about = about * (1.0 / norm(about))
+        lever = end - _in_body(_of_arm(self.position, j), axes)
+        radial = lever - about * (lever @ about)
+        radius = norm(radial)
+        if radius < SHORTEST:
+            raise problem(f"must not lie on the end of arm {j + 1}, nor its axis", "position")
+        outward = radial * (1.0 / radius)
+        follows = 1.0 if self.rotors == "arm" else 0.0
+        return Joint(end, outward ^ about, -outward, 1.0 / radius, follows)
+
+
+JointSettings = Annotated[SlideSettings | HingeSettings, Field(discriminator="type")]
+
+
+def _of_arm(given: Any, j: int) -> Triple:
+    """Vector of arm ``j``, from 0: its own, or that of all."""
+    vector: Triple = given[j] if isinstance(given[0], tuple) else given
+    return vector
+
+
+def _in_body(vector: tuple[float, float, float], axes: tuple[Vec, Vec, Vec]) -> Vec:
+    x, y, z = axes
+    return x * vector[0] + y * vector[1] + z * vector[2]
+
+
+def _normal_to(along: Vec) -> Vec:
+    """A unit vector that is normal to another."""
+    other = Vec(0.0, 0.0, 1.0) if abs(along.z) < 0.9 else Vec(1.0, 0.0, 0.0)
+    aside = along ^ other
+    unit: Vec = aside * (1.0 / sqrt(aside @ aside))
+    return unit

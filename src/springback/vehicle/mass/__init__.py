@@ -1,0 +1,1 @@
+"""Mass and inertia of a main body from its parts."""

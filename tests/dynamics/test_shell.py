@@ -1,0 +1,338 @@
+"""A shell that turns by itself in a gimbal: beside two formulations, in limits, and in flight."""
+
+from __future__ import annotations
+
+import importlib
+import math
+from types import ModuleType
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from oracles.models import random_inertia, unit_vector, vec
+from springback.batch.scenarios import fly_scenarios
+from springback.contact.obstacles import Plane
+from springback.dynamics.energy import angular_momentum, energy
+from springback.dynamics.limbs.shell import BEARING_SLIP
+from springback.dynamics.motion import rates
+from springback.errors import InputError
+from springback.kernels.trees import axpy
+from springback.kernels.vectors import Mat3, Quat
+from springback.results.flight import Flight, as_scenario, fly
+from springback.simulation.flight import model_state
+from springback.simulation.measuring.record import Model
+from springback.vehicle.state import Shell, Sphere, State
+
+RADIUS, SHELL_MASS = 0.2, 0.15
+INERTIA = 2.0 / 3.0 * SHELL_MASS * RADIUS**2
+STATES = 20
+SURFACES: dict[str, dict[str, Any]] = {
+    "hunt-crossley": {"preset": "wall", "friction": 0.5},
+    "kelvin-voigt": {"law": "kelvin-voigt", "stiffness": 2e4, "viscosity": 20.0, "friction": 0.5},
+    "constant-restitution": {"law": "constant-restitution", "restitution": 0.4, "friction": 0.5},
+    "bristle": {"preset": "wall", "friction": 0.5, "friction_law": "bristle"},
+}
+OBSTACLES: dict[str, dict[str, Any]] = {
+    "wall": {"type": "wall", "distance": 1.0},
+    "pole": {"type": "pole", "position": [1.1, 0.6, 1.0], "radius": 0.1},
+    "ball": {
+        "type": "sphere", "position": [1.1, 0.6, 1.25], "radius": 0.1,
+        "motion": {"type": "free", "mass": 0.5},
+    },
+}  # fmt: skip
+
+
+def tables(
+    gimbal: dict[str, Any] | None = None,
+    law: str = "hunt-crossley",
+    obstacle: str = "wall",
+    hull: dict[str, Any] | None = None,
+    **more: Any,
+) -> dict[str, Any]:
+    """An oblique hit at 2.3 m/s, from the touch on."""
+    ball = {"type": "sphere", "radius": RADIUS, "gimbal": gimbal, **(hull or {})}
+    return {
+        "vehicle": {"preset": "caged-sphere", "hulls": [ball]},
+        "world": {"gravity": 0, "obstacles": [{**OBSTACLES[obstacle], "surface": SURFACES[law]}]},
+        "start": {
+            "position": [0, 0, 1], "velocity": [2.0, 1.0, 0.5], "pitch": 0.2, "roll": 0.1,
+            "touch_distance": 1e-4,
+        },
+        "simulation": {"duration": 0.02},
+        **more,
+    }  # fmt: skip
+
+
+def gimbal(**more: float) -> dict[str, Any]:
+    return {"shell_mass": SHELL_MASS, **more}
+
+
+@pytest.fixture(scope="module")
+def oracle() -> ModuleType:
+    """Of two bodies, in MuJoCo and by hand."""
+    pytest.importorskip("mujoco")
+    return importlib.import_module("oracles.shell_mujoco")
+
+
+# -- instants --------------------------------------------------------------------------------------
+
+
+def drawn(seed: int, friction: float = 0.0) -> tuple[Model, State, Any]:
+    """A random craft some millimetres in a random wall, its shell off the centre and spinning."""
+    oracle = importlib.import_module("oracles.shell_mujoco")
+    rng = np.random.default_rng([41, seed])
+    centre = rng.uniform(-0.05, 0.05, size=3)
+    damping = rng.uniform(0.0, 5e-3)
+    given = tables()
+    given["vehicle"] |= {"hulls": [], "arms": {"cages": True}}  # without hulls there is no scene
+    model = as_scenario(given).build().model
+    at = vec(centre)
+    shell = Shell(Sphere(at, RADIUS), at, RADIUS, INERTIA, damping, friction)
+    alone = 2.0 * random_inertia(rng) + 0.01 * np.eye(3)
+    mass = model.airframe.mass - SHELL_MASS
+    craft = oracle.ShellCraft(mass, alone, SHELL_MASS, INERTIA, centre, damping, 9.81)
+    inertia = Mat3(*(vec(row) for row in craft.together))
+    # Arms without mass, their cages within the shell: the main body is everything.
+    arms = tuple(arm._replace(mass=0.0, cage_radius=0.01) for arm in model.airframe.arms)
+    airframe = model.airframe._replace(inertia=inertia, arms=arms, hull=(shell,))
+    attitude = Rotation.random(random_state=rng).as_quat(scalar_first=True)
+    pose = oracle.ShellPose(
+        attitude, rng.uniform(-3, 3, size=3), rng.uniform(-10, 10, size=3),
+        rng.uniform(-20, 20, size=3),
+    )  # fmt: skip
+    into = unit_vector(rng)
+    reach = into @ (pose.rotation @ centre) + RADIUS - rng.uniform(1e-3, 5e-3)
+    [wall] = model.world.obstacles
+    assert isinstance(wall.shape, Plane)
+    plane = wall.shape._replace(normal=vec(-into), offset=-reach)
+    world = model.world._replace(obstacles=(wall._replace(shape=plane),))
+    world = world._replace(gravity=craft.gravity)
+    model = model._replace(airframe=airframe, world=world, thrust=(0.0,) * len(arms))
+    still = model_state(model)
+    spin = still.memory._replace(hull=(still.memory.hull[0]._replace(spin=(vec(pose.spin),)),))
+    state = still._replace(
+        attitude=Quat(*map(float, attitude)), velocity=vec(pose.velocity),
+        angular_velocity=vec(pose.omega), memory=spin,
+        arm_length=tuple(arm.length for arm in arms),
+    )  # fmt: skip
+    return model, state, (craft, pose, into)
+
+
+def test_accelerations_are_those_of_two_bodies(oracle: ModuleType) -> None:
+    """MuJoCo's ball joint, and the balance of momenta: the contact force at its point does all."""
+    pressed = 0
+    for seed in range(STATES):
+        model, state, (craft, pose, into) = drawn(seed)
+        found = rates(model, state, 1.0)
+        ours = found.motion.state
+        force = np.array(found.seen.contact_force)
+        point = pose.rotation @ craft.centre + RADIUS * into
+        pressed += bool(np.abs(force).max() > 1.0)
+        for theirs in (oracle.in_mujoco, oracle.by_momenta):
+            there = theirs(craft, pose, force, point)
+            for mine, other in (
+                (ours.velocity, there.linear),
+                (ours.angular_velocity, there.angular),
+                (ours.memory.hull[0].spin[0], there.spin),
+            ):
+                scale = max(1.0, np.abs(other).max())
+                assert np.abs(np.array(mine) - other).max() < 1e-11 * scale
+    assert pressed > STATES / 2
+
+
+def test_power_balances_at_every_instant() -> None:
+    """Ė = −losses, with bearings that are viscous and dry."""
+    for seed in range(STATES):
+        model, state, _ = drawn(seed, friction=2e-3)
+        known = rates(model, state, 1.0).motion
+        h = 5e-7
+        e = [
+            energy(model.airframe, model.world, model.contact_point, there).total
+            for there in (axpy(state, known.state, h * way) for way in (1, -1, 2, -2))
+        ]
+        change = (8.0 * (e[0] - e[1]) - (e[2] - e[3])) / (12.0 * h)
+        losses = known.work.contact + known.work.friction
+        assert abs(change + losses) < 1e-8 * max(1.0, abs(change), losses)
+        assert known.work.friction > 0.0
+
+
+def test_away_from_walls_angular_momentum_stays() -> None:
+    """Bearings only pass it on: L of body and shell together does not change."""
+    for seed in range(STATES):
+        model, state, _ = drawn(seed, friction=2e-3)
+        far = model.world.obstacles[0]
+        far = far._replace(shape=far.shape._replace(offset=-100.0))
+        apart = model._replace(world=model.world._replace(obstacles=(far,)))
+        known = rates(apart, state, 1.0).motion.state
+        assert not any(rates(apart, state, 1.0).seen.contact_force)
+        h = 1e-6
+        first, second = (
+            np.array(angular_momentum(apart.airframe, axpy(state, known, h * way)))
+            for way in (-1, 1)
+        )
+        assert np.abs(known.memory.hull[0].spin[0]).max() > 1e-3
+        assert np.abs(second - first).max() / (2.0 * h) < 1e-8
+
+
+# -- flights ---------------------------------------------------------------------------------------
+
+
+def flown(*arguments: Any, **named: Any) -> Flight:
+    return fly(tables(*arguments, **named), executor="python")
+
+
+def flown_at_a_wall(of: dict[str, Any], duration: float) -> Flight:
+    """A longer flight, by the kernel that the test of executors compiles."""
+    return fly(tables(of, simulation={"duration": duration}))
+
+
+def end(flight: Flight, *names: str) -> np.ndarray[Any, np.dtype[np.float64]]:
+    return np.array([flight.columns[name][-1] for name in names])
+
+
+def test_a_free_shell_about_the_centre_of_mass_never_turns_the_body() -> None:
+    """Without friction in its bearings; and friction with the wall makes it roll there.
+
+    A point on it yields to a tangential impulse by 1/m + R²/I_s, so that the shell rolls at the end
+    with a share 1 − (1/m)/(1/m + R²/I_s) of the velocity along the wall.
+    """
+    flight = flown(gimbal())
+    assert np.abs(end(flight, "wx", "wy", "wz")).max() == 0.0
+    m = as_scenario(tables()).vehicle.mass
+    share = 1.0 - (1.0 / m) / (1.0 / m + RADIUS**2 / INERTIA)
+    after = end(flight, "vy", "vz")
+    assert after == pytest.approx(share * np.array([1.0, 0.5]), rel=2e-3)
+    spin = end(flight, "shell_wx", "shell_wy", "shell_wz")
+    assert spin == pytest.approx(np.array([0.0, after[1], -after[0]]) / RADIUS, rel=0.02)
+    assert abs(flight.measures["ledger_residual"] or 0.0) < 1e-6
+
+
+def test_bearings_that_hold_make_it_a_fixed_sphere() -> None:
+    """As damping grows: the body with the shell's inertia added.  The way there goes as 1/b at least."""
+    fixed = tables(None)
+    inertia = np.array([0.017, 0.018, 0.028]) + INERTIA
+    fixed["vehicle"] |= {"body": {"mass": 2.336, "inertia": inertia.tolist()}}
+    there = end(fly(fixed, executor="python"), "wx", "wy", "wz")
+    apart = [
+        np.abs(end(flown_at_a_wall(gimbal(damping=b), 0.02), "wx", "wy", "wz") - there).max()
+        for b in (5.0, 50.0)
+    ]
+    assert np.abs(there).max() > 1.0
+    assert apart[1] < 0.02 * np.abs(there).max()
+    assert apart[0] / apart[1] > 8.0
+
+
+def test_dry_bearings_bring_a_spin_to_rest_in_the_time_of_its_torque() -> None:
+    """After the hit the shell slows by M_c/I_s, and the body begins to turn."""
+    dry = 5e-3
+    alone, slowed = (flown_at_a_wall(of, 0.05) for of in (gimbal(), gimbal(friction=dry)))
+    spins = [
+        np.sqrt(sum(f.columns[f"shell_w{axis}"][-8:] ** 2 for axis in "xyz"))
+        for f in (alone, slowed)
+    ]
+    assert np.ptp(spins[0]) == 0.0
+    span = np.ptp(slowed.columns["t"][-8:])
+    assert spins[1][0] - spins[1][-1] == pytest.approx(dry * span / INERTIA, rel=1e-3)
+    assert spins[1][-1] > 10.0 * BEARING_SLIP
+    assert np.linalg.norm(end(slowed, "wx", "wy", "wz")) > 0.0
+
+
+@pytest.mark.parametrize("law", SURFACES)
+@pytest.mark.parametrize("obstacle", OBSTACLES)
+def test_every_law_and_obstacle_flies(law: str, obstacle: str) -> None:
+    """A shell off the centre, with viscous and dry bearings; what the ledger does not explain."""
+    flight = flown(
+        gimbal(damping=1e-3, friction=2e-3), law, obstacle, {"position": [0.01, 0.0, 0.02]},
+        simulation={"duration": 0.004},
+    )  # fmt: skip
+    assert flight.measures["contacts"] == 1.0
+    assert abs(flight.measures["ledger_residual"] or 0.0) < 2e-6
+    assert np.abs(end(flight, "shell_wx", "shell_wy", "shell_wz")).max() > 0.1
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"model": {"slider": [1, 0, 0]}, "start.velocity": [2, 0, 0]},
+        {"vehicle.arms": {"compliant": True, "mass": 0.02, "neighbours": {"stiffness": 500}}},
+        {"model": {"contact_point": "paper"}},
+        {"reference": {"type": "hold"}, "start.touch_distance": None, "start.position": [0.795, 0, 1],
+         "world.gravity": 9.81},
+        {"vehicle.hulls.0.surface": {"stiffness": 1e4, "friction": 0.6}},
+        {"air": {"wind": [1, 0, 0], "body_drag": 0.1}},
+    ],
+    ids=["slider", "arms", "paper's point", "pilot", "own surface", "wind"],
+)  # fmt: skip
+def test_it_flies_with_what_else_there_is(change: dict[str, Any]) -> None:
+    """Guides, arms within the shell, a pilot, a surface of its own, wind."""
+    given = tables(gimbal(damping=1e-3, friction=1e-3), simulation={"duration": 0.003})
+    for path, value in change.items():
+        *outer, last = path.split(".")
+        table: Any = given
+        for key in outer:
+            table = table[int(key) if key.isdigit() else key]
+        table[last] = value
+    m = fly(given, executor="python", trajectory=False).measures
+    assert m["contacts"] == 1.0
+    assert abs(m["ledger_residual"] or 0.0) < 1e-6
+
+
+def test_compiled_and_in_a_campaigns_lanes_it_is_the_same_flight() -> None:
+    """Bit for bit what plain Python flies, with a number that differs in each row."""
+    rows = [
+        tables(gimbal(damping=1e-4 * (k + 1), friction=1e-3), simulation={"duration": 0.006})
+        for k in range(9)
+    ]
+    together = fly_scenarios(rows, threads=1).measures
+    for k in (0, 5):
+        plain = fly(rows[k], executor="python", trajectory=False).measures
+        assert fly(rows[k], trajectory=False).measures == plain
+        for name in ("impact_peak_acceleration", "loss_friction", "ledger_residual"):
+            assert together[name][k] == plain[name], name
+
+
+def test_a_stored_trajectory_gives_back_energy_and_spin() -> None:
+    flight = flown(gimbal(damping=1e-3))
+    speed = np.sqrt(sum(flight.columns[f"shell_w{axis}"] ** 2 for axis in "xyz"))
+    assert speed[0] == 0.0
+    assert speed[-1] > 1.0
+    assert math.isfinite(flight.measures["loss_friction"] or math.nan)
+
+
+# -- wrong input -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"hull": {"on": 1}}, "vehicle.hulls[0].gimbal: needs a sphere on the body"),
+        (
+            {"gimbal": {"shell_mass": 3}},
+            "shell_mass: must be less than the mass of the body, 2.336",
+        ),
+        ({"gimbal": {"shell_mass": 0}}, "shell_mass: must be more than 0 kg"),
+        ({"gimbal": {"shell_mass": 0.1, "friction": "2 N"}}, "friction: has the wrong unit"),
+        ({"gimbal": {"shell_mass": 0.1, "damping": -1}}, "damping: must be at least 0 N m s/rad"),
+    ],
+    ids=["arm", "heavy", "massless", "unit", "negative"],
+)
+def test_wrong_gimbals_are_refused(change: dict[str, Any], message: str) -> None:
+    with pytest.raises(InputError) as caught:
+        as_scenario(tables(**{"gimbal": gimbal(), **change}))
+    assert any(message in line for line in caught.value.problems), caught.value.problems
+
+
+def test_what_a_shell_cannot_be_combined_with_is_said() -> None:
+    struck = tables(gimbal())
+    struck["world"]["obstacles"][0]["surface"] = {"law": "impulse", "restitution": 0.4}
+    crowded = tables(gimbal())
+    crowded["vehicle"]["hulls"].append({"type": "sphere", "radius": 0.05})
+    for given, message in (
+        (struck, "vehicle.hulls[0].gimbal: is not possible at a surface of the impulse law"),
+        (crowded, "vehicle.hulls[0].gimbal: needs a sphere that is the only hull of the main"),
+    ):
+        with pytest.raises(InputError) as caught:
+            as_scenario(given)
+        assert any(message in line for line in caught.value.problems), caught.value.problems

@@ -1,0 +1,133 @@
+"""The commands `springback identify ...`."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from click.testing import CliRunner
+
+from builders.recordings import files, whole
+from springback.errors import InputError
+from springback.interfaces.cli.app import cli
+from springback.logs.reading import read_recording
+from springback.logs.writing.writers import write_recording
+
+AT_REST = Path(__file__).parents[2] / "logs" / "px4_at_rest.ulg"
+EXAMPLE = Path(__file__).parents[3] / "examples" / "impact_log.toml"
+
+
+def said(*words: str) -> str:
+    done = CliRunner().invoke(cli, ["identify", *words], catch_exceptions=False)
+    assert done.exit_code == 0, done.output
+    return done.stdout
+
+
+def run(*words: str, cwd: Path) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "springback", "identify", *words],
+        cwd=cwd, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+
+
+@pytest.fixture
+def folder(tmp_path: Path) -> Path:
+    shutil.copy(AT_REST, tmp_path / "rest.ulg")
+    write_recording(whole(), tmp_path / "hit.ulg")
+    return tmp_path
+
+
+def test_inspect_begins_with_the_answer(folder: Path) -> None:
+    shown = said("inspect", str(folder / "rest.ulg"))
+    assert shown.startswith("no impact, and this log could not have shown one: ")
+    for words in ("204.6 Hz", "161 ms at 20.327 s", "mean over 4.89 ms", "missing for an impact",
+                  "pass  sensor_combined.accelerometer: +9.62 m/s^2 along z at rest"):  # fmt: skip
+        assert words in shown
+
+
+def test_inspect_gives_all_of_it_as_json(folder: Path) -> None:
+    data = json.loads(said("inspect", str(folder / "hit.ulg"), "--json"))
+    assert data["verdict"] == "1 impact"
+    force = next(one for one in data["channels"] if one["quantity"] == "specific force")
+    assert (force["samples"], force["unit"]) == (4000, "m/s^2")
+    assert all(one["passed"] for one in data["findings"])
+    [impact] = data["impacts"]
+    assert impact["refused"] == ""
+
+
+def test_segment_shows_the_impacts(folder: Path) -> None:
+    shown = said("segment", str(folder / "hit.ulg")).splitlines()
+    assert shown[0] == "1 impact"
+    assert shown[1].startswith("at 2.00")
+    assert "change of velocity [-3.01, +0.42, +0.21] m/s" in shown[1]
+    assert "by specific force and " in shown[1]
+
+
+def test_segment_without_an_impact_exits_with_2_and_the_reason(folder: Path) -> None:
+    done = run("segment", "rest.ulg", cwd=folder)
+    assert (done.returncode, done.stdout) == (2, "")
+    [line] = done.stderr.splitlines()
+    assert line.startswith("error: rest.ulg: no impact, and this log could not have shown one: ")
+    done = run("segment", "rest.ulg", "--json", cwd=folder)
+    assert "could not have shown one" in json.loads(done.stdout)["problems"][0]["message"]
+
+
+@pytest.mark.parametrize("name", sorted(set(files()) - {"table.csv", "rows.parquet"}))
+def test_a_truncated_log_gives_at_most_one_line(folder: Path, name: str) -> None:
+    data = files()[name]
+    for cut in (1, len(data) // 3, len(data) - 5):
+        (folder / name).write_bytes(data[:cut])
+        (folder / "table.csv").write_bytes(files()["table.csv"])
+        done = CliRunner().invoke(cli, ["identify", "inspect", str(folder / name)])
+        assert done.exception is None or isinstance(done.exception, InputError), name
+        if isinstance(done.exception, InputError):
+            assert all(name in line or "table.csv" in line for line in done.exception.problems)
+            assert len(done.exception.problems) == 1 or name == "table.toml"  # two keys missing
+            assert done.stdout == ""
+
+
+def test_logs_of_one_flight_are_compared(folder: Path) -> None:
+    write_recording(whole(), folder / "take.csv", "motive")
+    shown = said("inspect", str(folder / "hit.ulg"), str(folder / "take.csv"))
+    assert "pass  vehicle.attitude and sensor_gyro: rates of turn agree (1.000)" in shown
+
+
+@pytest.mark.parametrize("out", ["flight.mcap", "flight.csv", "other.ulg", "take.tsv"])
+def test_convert_writes_what_is_read_back(folder: Path, out: str) -> None:
+    CliRunner().invoke(
+        cli, ["identify", "convert", str(folder / "hit.ulg"), "--out", str(folder / out)],
+        catch_exceptions=False,
+    )  # fmt: skip
+    path = folder / ("flight.toml" if out.endswith(".csv") else out)
+    back = read_recording(path)
+    assert len(back.channels) == (2 if out.endswith(".tsv") else 6)
+
+
+def test_convert_replaces_nothing_without_force(folder: Path) -> None:
+    words = ["identify", "convert", str(folder / "hit.ulg"), "--out", str(folder / "flight.csv")]
+    (folder / "flight.toml").write_text("mine")
+    refused = CliRunner().invoke(cli, words).exception
+    assert isinstance(refused, InputError)
+    assert "flight.toml: exists; give --force to replace it" in str(refused)
+    assert (folder / "flight.toml").read_text() == "mine"
+    assert not (folder / "flight.csv").exists()
+    assert CliRunner().invoke(cli, [*words, "--force"]).exit_code == 0
+    same = [
+        "identify",
+        "convert",
+        str(folder / "hit.ulg"),
+        "--out",
+        str(folder / "hit.ulg"),
+        "--force",
+    ]
+    assert "is the log itself" in str(CliRunner().invoke(cli, same).exception)
+
+
+def test_the_example_shows_its_impact() -> None:
+    shown = said("segment", str(EXAMPLE))
+    assert shown.startswith("1 impact\nat ")
+    assert "FAIL" not in said("inspect", str(EXAMPLE))

@@ -1,0 +1,100 @@
+"""How kernels are called, when compiled: trees in one piece, errors where there are any."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+import pytest
+from numba import njit
+
+from builders.cases import nonempty
+from springback.kernels.compiler import STRICT, executor, kernel
+from springback.kernels.trees import select
+
+
+class Pair(NamedTuple):
+    """A tree with a branch."""
+
+    a: float
+    inner: tuple[float, float]
+    claim: bool
+
+
+@kernel
+def _made(x: float, scale: float = 2.0) -> Pair:
+    """Two returns, and an argument that is left out."""
+    if x > 1.0:
+        return Pair(x * scale, (x, -x), True)
+    return Pair(-x, (0.0, x), False)
+
+
+@kernel
+def _mixed(one: Pair, other: Pair) -> Pair:
+    """A tree of two others, one of which is chosen."""
+    chosen = select(one.a > other.a, one, other)
+    return Pair(chosen.a, (one.inner[1], other.inner[0]), chosen.claim)
+
+
+@kernel
+def _checked(x: float) -> Pair:
+    """A kernel that can raise."""
+    if x > 5.0:
+        raise ValueError("beyond 5")
+    return _made(x)
+
+
+@kernel
+def _through(x: float) -> Pair:
+    """A kernel that calls one that can raise."""
+    return _mixed(_checked(x), _made(x, 3.0))
+
+
+@kernel
+def _perhaps(x: float) -> float | None:
+    """A number, or none."""
+    return x if x > 1.0 else None
+
+
+@kernel
+def _put(out: np.ndarray, k: int, pair: Pair) -> None:
+    """A kernel without a result."""
+    out[k] = pair.a
+    out[k + 1] = pair.inner[0] - 10.0 * pair.inner[1] + (100.0 if pair.claim else 0.0)
+
+
+@executor()
+def _fill(x: float, out: np.ndarray) -> None:
+    _put(out, 0, _mixed(_made(x), _made(x - 1.0, 7.0)))
+    _put(out, 2, _through(x))
+    number = _perhaps(x)
+    if number is not None:
+        out[4] = number
+
+
+#: The compiled entry point, with what the compiler adds to it.
+_run: Any = _fill
+
+
+@pytest.mark.parametrize("x", [-0.5, 0.5, 1.5, 2.5, 4.75])
+def test_kernels_give_compiled_what_they_give_in_python(x: float) -> None:
+    compiled, plain = np.zeros(5), np.zeros(5)
+    _run(x, compiled)
+    _run.py_func(x, plain)
+    assert compiled.tobytes() == plain.tobytes()
+    assert np.any(plain)
+
+
+def test_an_error_passes_through_kernels_that_are_inlined() -> None:
+    with pytest.raises(ValueError, match="beyond 5"):
+        _run(5.5, np.zeros(5))
+
+
+def test_no_kernel_remains_to_be_called() -> None:
+    # Code read from the cache cannot be looked at: this copy is compiled here, whoever ran before.
+    entry: Any = njit(**STRICT)(_run.py_func)
+    entry(0.0, np.zeros(5))
+    for text in nonempty(entry.inspect_llvm().values()):
+        assert "_mixed" not in "".join(
+            line for line in text.splitlines() if line.startswith(("define", "declare"))
+        )

@@ -1,0 +1,189 @@
+"""Turns of axes, and what the data say of them."""
+
+from __future__ import annotations
+
+import itertools
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from builders.recordings import inertial, poses, recording
+from springback.errors import InputError
+from springback.logs.frame_check import check_frames, refuse_units
+from springback.logs.frame_turns import (
+    BODIES,
+    WORLDS,
+    attitudes_in,
+    axis_turns,
+    matrix_quaternion,
+    product,
+    rotation_vector,
+    turn_words,
+    vector_quaternion,
+    vectors_in,
+    world_vectors,
+)
+from springback.logs.overview import overview
+
+#: North, west and up, and forward, left and up, as other axes have them.
+OTHERS_NORTH_WEST_UP = {
+    "ned": ([1, 0, 0], [0, -1, 0], [0, 0, -1]),
+    "enu": ([0, 1, 0], [-1, 0, 0], [0, 0, 1]),
+    "y-up": ([1, 0, 0], [0, 0, -1], [0, 1, 0]),
+    "nwu": ([1, 0, 0], [0, 1, 0], [0, 0, 1]),
+}
+OTHERS_FORWARD_LEFT_UP = {
+    "frd": ([1, 0, 0], [0, -1, 0], [0, 0, -1]),
+    "rfu": ([0, 1, 0], [-1, 0, 0], [0, 0, 1]),
+    "flu": ([1, 0, 0], [0, 1, 0], [0, 0, 1]),
+}
+
+
+@pytest.mark.parametrize("name", OTHERS_NORTH_WEST_UP)
+def test_north_west_and_up_of_other_axes_are_x_y_and_z(name: str) -> None:
+    assert vectors_in(WORLDS[name], OTHERS_NORTH_WEST_UP[name]) == pytest.approx(np.eye(3))
+
+
+@pytest.mark.parametrize("name", OTHERS_FORWARD_LEFT_UP)
+def test_forward_left_and_up_of_other_axes_are_x_y_and_z(name: str) -> None:
+    assert vectors_in(BODIES[name], OTHERS_FORWARD_LEFT_UP[name]) == pytest.approx(np.eye(3))
+
+
+@pytest.mark.parametrize(
+    ("world", "body"), list(itertools.product(["ned", "enu", "y-up"], ["frd", "rfu", "y-up"]))
+)
+def test_a_turned_attitude_turns_turned_vectors(world: str, body: str) -> None:
+    """R v in other axes, turned, is the turned R times the turned v."""
+    q = Rotation.random(20, random_state=3).as_quat(scalar_first=True)
+    v = np.random.default_rng(4).normal(size=(20, 3))
+    turned = attitudes_in(WORLDS[world], BODIES[body], q)
+    expected = vectors_in(WORLDS[world], world_vectors(q, v))
+    assert world_vectors(turned, vectors_in(BODIES[body], v)) == pytest.approx(expected, abs=1e-12)
+
+
+def test_a_turned_attitude_keeps_its_sign_from_sample_to_sample() -> None:
+    t = np.linspace(0.0, 20.0, 400)
+    q = vector_quaternion(np.stack([0.0 * t, 0.0 * t, t], axis=1))
+    jumping = q * np.where(np.arange(400) % 3 == 0, -1.0, 1.0)[:, None]
+    found = attitudes_in(WORLDS["ned"], BODIES["frd"], jumping)
+    assert np.einsum("ij,ij->i", found[1:], found[:-1]).min() > 0.99
+    lost = jumping.copy()
+    lost[5] = np.nan
+    found = attitudes_in(WORLDS["ned"], BODIES["frd"], lost)
+    assert np.isnan(found[5]).all()
+    assert (found[6] @ found[4]) > 0.99
+
+
+def test_quaternions_agree_with_those_of_scipy() -> None:
+    turns = Rotation.random(50, random_state=1)
+    q = turns.as_quat(canonical=True, scalar_first=True)
+    assert rotation_vector(q) == pytest.approx(turns.as_rotvec(), abs=1e-9)
+    back = vector_quaternion(turns.as_rotvec())
+    assert back * np.sign(back[:, :1]) == pytest.approx(q, abs=1e-9)
+    matrices = np.array([matrix_quaternion(m) for m in turns.as_matrix()])
+    assert matrices == pytest.approx(q, abs=1e-9)
+    both = (turns[:25] * turns[25:]).as_quat(canonical=True, scalar_first=True)
+    mine = product(q[:25], q[25:])
+    assert mine * np.sign(mine[:, :1]) == pytest.approx(both, abs=1e-9)
+
+
+def test_there_are_24_turns_of_axes_and_the_identity_is_the_first() -> None:
+    turns = axis_turns()
+    assert len({turn.tobytes() for turn in turns}) == 24
+    assert [float(np.linalg.det(turn)) for turn in turns] == pytest.approx([1.0] * 24)
+    assert np.array_equal(turns[0], np.eye(3))
+    assert turn_words(turns[0]) == "x = x, y = y, z = z"
+
+
+@pytest.mark.parametrize("number", range(24))
+def test_every_mistake_of_the_inertial_units_axes_is_found_and_named(number: int) -> None:
+    turn = axis_turns()[number]
+    wrong = [replace(one, values=one.values @ turn.T) for one in inertial()]
+    findings = check_frames([recording(*wrong), recording(*poses())])
+    by_name = {one.name: one for one in findings}
+    gyro = by_name["vehicle.attitude and gyroscope"]
+    track = by_name["vehicle.position and accelerometer"]
+    assert gyro.passed is track.passed is (number == 0)
+    if number:
+        assert turn_words(turn.T) in gyro.sentence
+        assert turn_words(turn.T) in track.sentence
+    rest = by_name["accelerometer"]
+    assert rest.passed is bool(np.array_equal(turn[2], [0.0, 0.0, 1.0]))
+
+
+@pytest.mark.parametrize("world", ["y-up", "ned"])
+def test_a_world_whose_z_is_not_up_is_found(world: str) -> None:
+    place, attitude = poses()
+    turn = WORLDS[world].T
+    wrong = [
+        replace(place, values=vectors_in(turn, place.values)),
+        replace(attitude, values=attitudes_in(turn, np.eye(3), attitude.values)),
+    ]
+    findings = {one.name: one for one in check_frames([recording(*inertial(), *wrong)])}
+    up = findings["vehicle.attitude and accelerometer"]
+    assert not up.passed
+    assert f"along the world's {'+y' if world == 'y-up' else '-z'}" in up.sentence
+    right = check_frames([recording(*inertial(), place, attitude)])
+    assert all(one.passed for one in right)
+
+
+def test_rates_that_no_turn_explains_are_said_so() -> None:
+    force, gyro = inertial()
+    noise = np.random.default_rng(5).normal(size=gyro.values.shape)
+    findings = check_frames([recording(force, replace(gyro, values=noise), *poses())])
+    found = next(one for one in findings if "gyroscope" in one.name)
+    assert not found.passed
+    assert "no turn of axes" in found.sentence
+
+
+def test_quaternions_that_are_not_of_unit_length_are_found() -> None:
+    place, attitude = poses()
+    long = replace(attitude, values=1.005 * attitude.values)
+    [found] = check_frames([recording(place, long)])
+    assert (found.passed, found.sentence) == (False, "|q| = 1 within 0.005")
+    with pytest.raises(InputError, match=r"\|q\| is 57\.3 at the median, not 1"):
+        refuse_units(recording(replace(attitude, values=57.3 * attitude.values)))
+
+
+@pytest.mark.parametrize(
+    ("factor", "said"),
+    [(1e3, "mm/s^2"), (1e-3, "km/s^2"), (1.0 / 9.80665, "g"), (1e3 / 9.80665, "mg")],
+)
+def test_an_acceleration_in_another_unit_is_refused(factor: float, said: str) -> None:
+    force, _ = inertial()
+    with pytest.raises(InputError, match=rf"made: accelerometer: .* probably {re.escape(said)}$"):
+        refuse_units(recording(replace(force, values=factor * force.values)))
+    refuse_units(recording(force))
+
+
+@pytest.mark.parametrize(("factor", "said"), [(1e3, "mm"), (1e-3, "km")])
+def test_a_position_in_another_unit_is_refused(factor: float, said: str) -> None:
+    """Too large by its speed alone, too small by the accelerometer."""
+    place, attitude = poses()
+    wrong = replace(place, values=factor * place.values)
+    with pytest.raises(InputError, match=rf"is probably {said}$"):
+        overview([recording(*inertial(), wrong, attitude)])
+    if factor > 1.0:
+        with pytest.raises(InputError, match="probably mm"):
+            refuse_units(recording(wrong))
+
+
+@pytest.mark.parametrize(("factor", "said"), [(180.0 / np.pi, "deg/s"), (1e3, "mrad/s")])
+def test_rates_in_another_unit_are_refused(factor: float, said: str) -> None:
+    force, gyro = inertial()
+    wrong = replace(gyro, values=factor * gyro.values)
+    with pytest.raises(InputError, match=rf"unit of gyroscope is probably {said}$"):
+        overview([recording(force, wrong, *poses())])
+
+
+def test_an_accelerometer_at_rest_is_held_to_5_percent() -> None:
+    force, _ = inertial(2.0)
+    still = np.tile([0.0, 0.0, 9.62], (len(force.times), 1))
+    [found] = check_frames([recording(replace(force, values=still))])
+    assert (found.passed, found.sentence[:29]) == (True, "+9.62 m/s^2 along z at rest (")
+    assert "-1.9 % of gravity" in found.sentence
+    [found] = check_frames([recording(replace(force, values=0.94 * still))])
+    assert not found.passed
