@@ -91,11 +91,11 @@ def test_every_key_offered_is_one_of_a_scenario() -> None:
             strange.append(key)
     assert len(keys) - len(strange) > 200
     # of another kind of reference or obstacle than that of this scenario,
-    # or of a hull, a component, a joint or a part of the body: it has none
+    # or of a hull, a component, a joint, a part of the body or a rotor listed: it has none
     keys = [key.removeprefix("second.") for key in strange]
     lists = (
         "vehicle.hulls.", "vehicle.limits.components.", "vehicle.arms.joint.",
-        "vehicle.body.parts.",
+        "vehicle.body.parts.", "vehicle.rotors.", "vehicle.propulsion.surface_effect.",
     )  # fmt: skip
     others = [key for key in keys if not key.startswith(lists)]
     assert {key.partition(".")[0] for key in others} <= {"reference", "world"}
