@@ -31,6 +31,11 @@ SECOND = "second_"
 LARGEST = 1e100
 
 
+def is_result(folder: Path) -> bool:
+    """True for a folder that has the summary of a flight."""
+    return (folder / "summary.json").is_file()
+
+
 def load(folder: str | Path) -> Flight:
     """Read a flight as it was written, with its scenario, measures, trajectory and telemetry.
 

@@ -239,7 +239,7 @@ def check_slider(scenario: ScenarioTables) -> None:
         raise problem("must not be zero", "model.slider")
     along, velocity = unit(Vec(*axis)), Vec(*scenario.start.velocity)
     across = velocity - (velocity @ along) * along
-    if math.sqrt(across @ across) > 1e-9:
+    if sqrt(across @ across) > 1e-9:
         raise problem("must lie along model.slider", "start.velocity")
     if any(scenario.start.angular_velocity):
         raise problem("must be zero on a slider", "start.angular_velocity")

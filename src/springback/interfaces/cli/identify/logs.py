@@ -23,7 +23,7 @@ FORMATS = ("ulog", "mcap", "table", "motive", "vicon", "qualisys")
 
 @click.group()
 def identify() -> None:
-    """Recordings of real flights: what is in them, the impacts in them, other formats.
+    """Recordings of real flights: what is in them, the impacts in them, what they tell.
 
     LOG is of PX4 (.ulg), ArduPilot (.bin), ROS 1 (.bag), ROS 2 (.mcap, .db3, or their folder),
     OptiTrack Motive or Vicon (.csv), Qualisys (.tsv), C3D (.c3d), or a mapping file (.toml) that
@@ -57,13 +57,11 @@ def _recordings(logs: tuple[Path, ...], **given: Any) -> list[Recording]:
 
 def _simulated(path: Path, options: LogOptions) -> Recording | None:
     """Recording of a folder that `springback fly` wrote; None for any other."""
-    from springback.interfaces.output.folders import SUMMARY
-
-    if not (path / SUMMARY).is_file():
-        return None
     from springback.logs.writing.flight_recording import flight_recording
-    from springback.results.saved import load
+    from springback.results.saved import is_result, load
 
+    if not is_result(path):
+        return None
     return flight_recording(load(path), path).within(options.part())
 
 

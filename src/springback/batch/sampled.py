@@ -1,0 +1,157 @@
+"""States of many flights without avionics, at given instants.
+
+Flights that differ in numbers only are built together and flown in lanes.  A step ends at each
+instant, as at a tick of sensors, so that nothing is interpolated.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.batch.scenarios import no_collection
+from springback.batch.templates import BuiltGroup, ScenarioGroup, built_groups
+from springback.errors import InputError
+from springback.kernels.layout import Buffer, TreeLayout, row_of, rows
+from springback.kernels.trees import names
+from springback.scenario.build import ReadyFlight
+from springback.scenario.scenario import scenario_from
+from springback.simulation.flight import LANES, SLICE, empty_log, entry_for
+from springback.simulation.lanes import places
+from springback.simulation.loading import Loader
+from springback.simulation.measuring.record import FLYING
+from springback.simulation.thrusts import ThrustTable
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+
+class StateSamples(NamedTuple):
+    """States of some flights at the same instants; NaN where a flight was refused or diverged."""
+
+    times: Array  # [s], shape (instants,)
+    columns: tuple[str, ...]  # leaves of `springback.vehicle.state.State`
+    values: Array  # shape (flights, instants, columns)
+
+    def of(self, *stems: str) -> Array:
+        """Columns by name, shape (flights, instants, names)."""
+        return self.values[:, :, [self.columns.index(stem) for stem in stems]]
+
+    def vectors(self, name: str) -> Array:
+        """A vector of the state, shape (flights, instants, 3)."""
+        return self.of(*(f"{name}.{axis}" for axis in "xyz"))
+
+
+def sampled_flights(
+    tables: Sequence[Mapping[str, Any]],
+    times: Any,
+    *,
+    thrust_factors: Any = None,
+    threads: int | None = None,
+) -> StateSamples:
+    """Fly scenarios without avionics, and read their states at some instants.
+
+    Args:
+        tables: Whole scenarios without a reference and a pilot, as plain tables, which differ in
+            numbers only; with thrusts over time, all with the same.
+        times: Instants [s], increasing, from 0; ``simulation.duration`` is not used.
+        thrust_factors: Factor of all thrusts of each flight, shape (flights,); None: 1.
+        threads: Defaults to the number of processors.
+
+    Raises:
+        InputError: If all of them are refused, with the first problem.
+    """
+    at = np.asarray(times, dtype=np.float64)
+    factors = np.ones(len(tables)) if thrust_factors is None else np.asarray(thrust_factors, float)
+    problems: list[InputError] = []
+    with no_collection():
+        built = _built(tables, problems)
+        if not built:
+            raise problems[0]
+        first = built[0].first
+        loader = Loader(first.model, first.start, None, LANES)
+        for group in built:
+            loader.add(group.first.model, group.first.start, None, group.flown)
+        laid = loader.flights()
+    numbers = [number for group in built for number in group.flights]
+    spare = -len(numbers) % LANES
+    scale = np.concatenate([factors[numbers], np.ones(spare)]).reshape(-1, LANES)
+    seen = np.empty((len(at), len(laid.buffers), rows(laid.shape.motion.state), LANES))
+    workers = min(threads or os.cpu_count() or 1, len(laid.buffers))
+    parts = np.array_split(np.arange(len(laid.buffers)), workers)
+    with ThreadPoolExecutor(workers) as pool:
+        for _ in pool.map(
+            lambda part: _fly_part(laid, part, at, first.thrusts, scale, seen), parts
+        ):
+            pass
+    columns = names(laid.shape.motion.state)
+    values = np.full((len(tables), len(at), len(columns)), np.nan)
+    flown = seen.transpose(1, 3, 0, 2).reshape(-1, len(at), len(columns))
+    values[numbers] = flown[: len(numbers)]
+    return StateSamples(at, columns, values)
+
+
+def _built(tables: Sequence[Mapping[str, Any]], problems: list[InputError]) -> list[BuiltGroup]:
+    """Flights built together, or one by one where they cannot be."""
+
+    def one(number: int) -> ReadyFlight:
+        try:
+            return scenario_from(tables[number], False, advises=False).build(advises=False)
+        except InputError as error:
+            problems.append(error)
+            raise
+
+    group, alone = ScenarioGroup(0, tables[0]), []
+    for number in range(1, len(tables)):
+        if not group.takes(number, tables[number]):
+            alone.append(number)
+    found = list(built_groups(group, lambda number: [], one))
+    done = {number for built in found for number in built.flights}
+    for number in sorted({*group.flights, *alone} - done):
+        with suppress(InputError):
+            found.append(BuiltGroup([number], one(number)))
+    return found
+
+
+def _fly_part(
+    laid: Any,
+    part: Any,
+    at: Array,
+    thrusts: ThrustTable | None,
+    scale: Array,
+    seen: Array,
+) -> None:
+    """Fly some groups from instant to instant."""
+    first, last = int(part[0]), int(part[-1]) + 1
+    buffers: Buffer = laid.buffers[first:last]
+    shape, like, run = laid.shape, TreeLayout(laid.shape), entry_for(laid.model)
+    where = places(shape, LANES)
+    lanes: Any = buffers.reshape(len(buffers), -1, LANES)
+    until = row_of(shape.model, "timing")
+    thrust, ramp = row_of(shape.model, "thrust"), row_of(shape.model, "ramp")
+    motion, count = where.motion, rows(shape.motion.state)
+    factor = scale[first:last]
+    constant = thrusts is None
+    if constant:
+        lanes[:, thrust : thrust + len(laid.model.thrust)] *= factor[:, None]
+    given = None if constant else thrusts.at(at)  # type: ignore[union-attr]
+    for k, time in enumerate(at):
+        if time > 0.0:
+            lanes[:, until] = time
+            if given is not None and k:
+                begin, end = given[k - 1], given[k]
+                slope = (end - begin) / (time - at[k - 1])
+                lanes[:, thrust : thrust + len(begin)] = begin[None, :, None] * factor[:, None]
+                lanes[:, ramp] = at[k - 1]
+                lanes[:, ramp + 1 : ramp + 1 + len(slope)] = slope[None, :, None] * factor[:, None]
+                lanes[:, where.step] = 0.0  # thrusts have a kink here: no peak is interpolated
+            while run(like, buffers, (0,) * LANES, empty_log(), SLICE, 1.0):
+                pass
+        seen[k, first:last] = lanes[:, motion : motion + count]
+        lost = lanes[:, where.status] != FLYING
+        if lost.any():
+            seen[k, first:last] = np.where(lost[:, None], np.nan, seen[k, first:last])

@@ -1,0 +1,1 @@
+"""Identification: numbers of a vehicle and its obstacles from recordings of impacts."""

@@ -1,0 +1,184 @@
+"""A plan carried out: logs read, impacts found and fitted, and what they tell together."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from springback.errors import InputError
+from springback.identification.estimates import FieldEstimate, field_estimates
+from springback.identification.fitting import ImpactFit, fit_impact
+from springback.identification.likelihood import ImpactProblem
+from springback.identification.misfit import ChannelMisfit, misfits
+from springback.identification.readings import ImpactReadings, impact_readings
+from springback.identification.settings import FitPlan, LoggedFlight, refuse_second_vehicle
+from springback.identification.unknowns import Unknown, field_unknown
+from springback.identification.wording import sentences
+from springback.logs.reading import LogOptions, read_recording
+from springback.logs.recording import Recording
+from springback.logs.segments import LogImpact, find_impacts
+from springback.logs.writing.flight_recording import flight_recording
+from springback.progress import Progress, silent, stage
+from springback.results.saved import is_result, load
+from springback.scenario.code_files import with_absolute_names
+from springback.scenario.files import read_scenario
+from springback.scenario.overrides import apply_overrides
+from springback.scenario.presets import with_contents
+from springback.scenario.scenario import Scenario
+from springback.scenario.source_text import source_text, toml_tables
+
+#: Distance within which a touch that a plan names is one that was found [s] (chosen).
+NEAR = 0.05
+
+
+class ReadFlight(NamedTuple):
+    """A flight of a plan: its scenario and its impacts."""
+
+    scenario: Scenario
+    tables: dict[str, Any]
+    impacts: tuple[ImpactReadings, ...]
+    refused: tuple[str, ...]  # impacts that cannot be used, with the reason
+
+
+class FitResult(NamedTuple):
+    """What a plan's logs tell."""
+
+    plan: FitPlan
+    fits: tuple[ImpactFit, ...]
+    estimates: tuple[FieldEstimate, ...]
+    misfits: tuple[ChannelMisfit, ...]
+    sentences: tuple[str, ...]
+    refused: tuple[str, ...]
+
+    @property
+    def learned(self) -> bool:
+        """True if any free field was learned, at least partly."""
+        return any(
+            one.verdict != "not learned" for one in self.estimates if one.unknown.role == "free"
+        )
+
+
+def base_scenario(plan: FitPlan, folder: Path) -> tuple[Scenario, dict[str, Any]]:
+    """Scenario of a plan, and its plain tables.
+
+    Args:
+        plan: Of the fit.
+        folder: That its paths are relative to.
+
+    Raises:
+        InputError: If it cannot be read.
+    """
+    path = folder / plan.scenario
+    scenario = read_scenario(path)
+    refuse_second_vehicle(scenario)
+    return scenario, with_contents(with_absolute_names(
+        toml_tables(source_text(path), str(path)), path.parent
+    ))  # fmt: skip
+
+
+def read_flights(plan: FitPlan, folder: Path) -> list[ReadFlight]:
+    """Flights of a plan: logs read, impacts found.
+
+    Args:
+        plan: Of the fit.
+        folder: That its paths are relative to.
+
+    Raises:
+        InputError: If a log cannot be read, or if no impact can be used, with all reasons.
+    """
+    _, tables = base_scenario(plan, folder)
+    flights = [_read_flight(plan, one, tables, folder) for one in plan.flights]
+    if not any(flight.impacts for flight in flights):
+        raise InputError(*(reason for flight in flights for reason in flight.refused))
+    return flights
+
+
+def _read_flight(
+    plan: FitPlan, given: LoggedFlight, tables: dict[str, Any], folder: Path
+) -> ReadFlight:
+    changed = apply_overrides(tables, given.change)
+    scenario = read_scenario(folder / plan.scenario, given.change)
+    recordings = [_recording(folder / name, given) for name in given.logs]
+    names = ", ".join(str(one.path) for one in recordings)
+    found = find_impacts(recordings)
+    wanted, refused = list[LogImpact](), list[str]()
+    for time in given.at:
+        near = [one for one in found if abs(one.touch - time) <= NEAR]
+        if not near:
+            known = ", ".join(f"{one.touch:.3f} s" for one in found) or "none"
+            refused.append(f"{names}: has no impact at {time:g} s; found: {known}")
+        wanted += near
+    for one in wanted if given.at else found:
+        if one.refused:
+            refused.append(f"{names}: impact at {one.touch:.3f} s: {one.refused}")
+    if not found:
+        refused.append(f"{names}: no impact was found; springback identify inspect tells more")
+    used = [one for one in (wanted if given.at else found) if not one.refused]
+    impacts = tuple(impact_readings(plan, scenario, recordings, one) for one in used)
+    return ReadFlight(scenario, changed, impacts, tuple(refused))
+
+
+def _recording(path: Path, given: LoggedFlight) -> Recording:
+    options = LogOptions(first=given.first, last=given.last, world=given.world, body=given.body)
+    if is_result(path):
+        return flight_recording(load(path), path).within(options.part())
+    return read_recording(path, options)
+
+
+def fields_of_plan(plan: FitPlan, scenario: Scenario) -> list[Unknown]:
+    """Free and known fields of a plan.
+
+    Raises:
+        InputError: If one is no number of the scenario, or its doubt cannot be read.
+    """
+    fields = [field_unknown(name, text, "free", scenario) for name, text in plan.free.items()]
+    for name, text in plan.doubts().items():
+        if name in plan.known or _has(scenario, name):
+            fields.append(field_unknown(name, text, "known", scenario))
+    return fields
+
+
+def _has(scenario: Scenario, name: str) -> bool:
+    """True if a field that usually is doubted is a single number above zero."""
+    node: Any = scenario
+    for key in name.split("."):
+        node = getattr(node, key, None)
+    return isinstance(node, float) and node > 0.0
+
+
+def fit(plan: FitPlan, folder: str | Path = ".", *, progress: Progress = silent) -> FitResult:
+    """Fit a plan.
+
+    Args:
+        plan: From `springback.identification.settings.read_fit_plan`.
+        folder: That its paths are relative to.
+        progress: Called from time to time with the share done.
+
+    Raises:
+        InputError: If a log or the scenario cannot be used.
+    """
+    folder = Path(folder)
+    scenario, _ = base_scenario(plan, folder)
+    fields = fields_of_plan(plan, scenario)
+    flights = read_flights(plan, folder)
+    problems = [
+        ImpactProblem(plan, flight.scenario, flight.tables, fields, impact)
+        for flight in flights for impact in flight.impacts
+    ]  # fmt: skip
+    fits = []
+    for k, problem in enumerate(problems):
+        part = stage(progress, k / len(problems), 1.0 / len(problems))
+        fits.append(fit_impact(problem, starts=plan.starts, seed=plan.seed))
+        part(1.0)
+    return result_of(plan, fits, [reason for flight in flights for reason in flight.refused])
+
+
+def result_of(plan: FitPlan, fits: Sequence[ImpactFit], refused: Sequence[str] = ()) -> FitResult:
+    """What fits of impacts tell together."""
+    estimates = field_estimates(fits, scatter=plan.scatter == "impact")
+    tested = [one for fit_ in fits for one in misfits(fit_)]
+    said = sentences(fits, estimates, tested)
+    return FitResult(
+        plan, tuple(fits), tuple(estimates), tuple(tested), tuple(said), tuple(refused)
+    )  # fmt: skip

@@ -1,0 +1,288 @@
+"""Likelihood of an impact: residuals of all readings, and of the priors, at many points at once."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from springback.batch.sampled import StateSamples, sampled_flights
+from springback.errors import InputError
+from springback.identification.noise import STUDENT
+from springback.identification.readings import ImpactReadings, Reading
+from springback.identification.sensor_chain import (
+    ChannelChain,
+    Interpolator,
+    attitude_errors,
+    channel_output,
+    fine_grid,
+    inertial_means,
+    smoothed,
+)
+from springback.identification.settings import FitPlan, InertialChannel
+from springback.identification.unknowns import FARTHEST, Unknown, latent, with_values
+from springback.logs.recording import (
+    ANGULAR_VELOCITY,
+    ARM_LENGTH,
+    ATTITUDE,
+    POSITION,
+    SPECIFIC_FORCE,
+    Array,
+)
+from springback.scenario.scenario import Scenario
+from springback.sensing.hall import HallSensors, slope
+
+#: Scale of Student's t at which normal noise of deviation 1 has equal score variance and
+#: curvature, so that intervals keep their cover (solved numerically, for 4 degrees of freedom).
+STUDENT_SCALE = 0.8977
+#: Factor of the start's doubts where no track tells them (chosen).
+UNTRACKED = 3.0
+_AXES = "xyz"
+
+
+class ImpactProblem:
+    """Residuals of an impact as a function of its unknowns."""
+
+    def __init__(
+        self,
+        plan: FitPlan,
+        scenario: Scenario,
+        tables: Mapping[str, Any],
+        fields: Sequence[Unknown],
+        impact: ImpactReadings,
+    ) -> None:
+        """Prepare the unknowns and the instants.
+
+        Args:
+            plan: Of the fit.
+            scenario: Of this flight.
+            tables: The same as plain tables.
+            fields: Free and known fields.
+            impact: Readings.
+        """
+        self.plan, self.scenario, self.impact = plan, scenario, impact
+        self.tables = open_loop(tables, impact)
+        self.slider = scenario.model.slider
+        self.readings = [
+            one for one in impact.readings
+            if self.slider is None or one.quantity not in (ANGULAR_VELOCITY, ATTITUDE)
+        ]  # fmt: skip
+        self.fields = list(fields)
+        self.unknowns: list[Unknown] = [*fields, *self._latents()]
+        self.place = {unknown.name: k for k, unknown in enumerate(self.unknowns)}
+        self.flies = np.array([one.flies for one in self.unknowns])
+        inertial = [
+            one.times for one in self.readings
+            if one.quantity in (SPECIFIC_FORCE, ANGULAR_VELOCITY)
+        ]  # fmt: skip
+        every = np.concatenate([*inertial, [impact.until]])
+        self.grid = fine_grid(every, impact.until)
+        self.count = len(self.fields)
+        #: Flights flown so far.
+        self.flown = 0
+        self._width = 0
+
+    # -- unknowns ---------------------------------------------------------------------------------
+
+    def _latents(self) -> list[Unknown]:
+        plan, found = self.plan, list[Unknown]()
+        wide = 1.0 if self.impact.start.tracked else UNTRACKED
+        s = plan.start
+        if self.slider is None:
+            for name, doubt, unit in (
+                ("position", s.position, "m"), ("velocity", s.velocity, "m/s"),
+                ("attitude", s.attitude, "rad"), ("angular velocity", s.angular_velocity, "rad/s"),
+            ):  # fmt: skip
+                found += [latent(f"start {name} {a}", wide * doubt, unit) for a in _AXES]
+            found.append(latent("thrust factor", plan.thrust, "", centre=1.0))
+        else:
+            found.append(latent("start position", wide * s.position, "m"))
+            found.append(latent("start velocity", wide * s.velocity, "m/s"))
+        names = {one.quantity: one for one in self.readings}
+        sensors = plan.sensors
+        for quantity, doubt, word, unit in (
+            (SPECIFIC_FORCE, sensors.accelerometer.bias, "accelerometer bias", "m/s^2"),
+            (ANGULAR_VELOCITY, sensors.gyroscope.bias, "gyroscope bias", "rad/s"),
+            (POSITION, sensors.motion_capture.offset, "motion capture offset", "m"),
+        ):
+            if quantity in names:
+                found += [latent(f"{word} {a}", doubt, unit, flies=False) for a in _AXES]
+        if any(one.other_clock for one in self.readings):
+            found.append(latent("clock offset", self.impact.clock_doubt, "s", flies=False))
+        return found
+
+    def _columns(self, u: Array, *names: str) -> Array:
+        """Values of unknowns at some points, shape (points, names)."""
+        return np.stack(
+            [np.asarray(self.unknowns[self.place[name]].value(u[:, self.place[name]]))
+             for name in names], axis=1,
+        )  # fmt: skip
+
+    # -- flights ----------------------------------------------------------------------------------
+
+    def _flown(self, u: Array) -> tuple[StateSamples, Any]:
+        """Flights of some points, and the number of the flight of each point."""
+        moving = u[:, self.flies]
+        _, firsts, which = np.unique(moving, axis=0, return_index=True, return_inverse=True)
+        tables = [self.flight_tables(u[k]) for k in firsts]
+        factors = None
+        if "thrust factor" in self.place:
+            factors = self._columns(u[firsts], "thrust factor")[:, 0]
+        self.flown += len(tables)
+        samples = sampled_flights(tables, self.grid, thrust_factors=factors)
+        return samples, which.reshape(-1)
+
+    def flight_tables(self, u: Array) -> dict[str, Any]:
+        """Scenario of the flight at a point, without avionics, as plain tables."""
+        tables = with_values(self.tables, self.fields, u[: self.count])
+        start = self.impact.start
+        if self.slider is None:
+            names = [
+                f"start {name} {a}"
+                for name in ("position", "velocity", "attitude", "angular velocity") for a in _AXES
+            ]  # fmt: skip
+            moved = start.moved(self._columns(u[None], *names)[0])
+            tables["start"] = {
+                "position": moved.position.tolist(), "velocity": moved.velocity.tolist(),
+                "quaternion": moved.attitude.tolist(),
+                "angular_velocity": moved.angular_velocity.tolist(),
+            }  # fmt: skip
+            return tables
+        axis = np.array(self.slider) / np.linalg.norm(self.slider)
+        way, speed = self._columns(u[None], "start position", "start velocity")[0]
+        kept = {
+            key: value for key, value in tables.get("start", {}).items()
+            if key in ("roll", "pitch", "yaw", "quaternion")
+        }  # fmt: skip
+        tables["start"] = kept | {
+            "position": (start.position + way * axis).tolist(),
+            "velocity": (start.velocity + speed * axis).tolist(),
+        }
+        return tables
+
+    # -- residuals --------------------------------------------------------------------------------
+
+    def __call__(self, u: Array) -> Array:
+        """Residuals at some points, shape (points, unknowns) to (points, rows)."""
+        try:
+            samples, which = self._flown(u)
+        except InputError:
+            if not self._width:
+                raise
+            return np.full((len(u), self._width), np.nan)
+        parts = [self._channel_rows(one, samples, which, u) for one in self.readings]
+        found = np.concatenate([*parts, u], axis=1)
+        self._width = found.shape[1]
+        lost = np.isnan(samples.values).any(axis=(1, 2))[which]
+        found[lost] = np.nan
+        return found
+
+    def errors(self, u: Array) -> dict[str, Array]:
+        """Whitened residuals of each channel at a point, before Student's t, by its name."""
+        samples, which = self._flown(u[None])
+        return {one.name: self._white(one, samples, which, u[None])[0] for one in self.readings}
+
+    def predictions(self, u: Array) -> dict[str, Array]:
+        """What each channel would have told at a point, by its name, shape (samples, width)."""
+        samples, which = self._flown(u[None])
+        return {one.name: self._predicted(one, samples, which, u[None])[0] for one in self.readings}
+
+    def _channel_rows(self, one: Reading, samples: StateSamples, which: Any, u: Array) -> Array:
+        white = self._white(one, samples, which, u)
+        if one.quantity in (POSITION, ATTITUDE):
+            square = (white / STUDENT_SCALE) ** 2
+            white = np.sign(white) * np.sqrt((STUDENT + 1.0) * np.log1p(square / STUDENT))
+        return white.reshape(len(u), -1)
+
+    def _white(self, one: Reading, samples: StateSamples, which: Any, u: Array) -> Array:
+        predicted = self._predicted(one, samples, which, u)
+        if one.quantity == ATTITUDE:
+            rest = attitude_errors(predicted, one.values)
+        else:
+            rest = one.values - predicted
+        if one.quantity == ARM_LENGTH:
+            sigma = np.hypot(one.noise.stationary, self._resolution(one))
+            return np.where(np.isnan(rest), 0.0, rest / sigma)
+        return one.noise.whitened(rest, one.starts)
+
+    def _predicted(self, one: Reading, samples: StateSamples, which: Any, u: Array) -> Array:
+        if one.quantity in (SPECIFIC_FORCE, ANGULAR_VELOCITY):
+            return self._inertial(one, samples, which, u)
+        times = np.broadcast_to(one.times, (len(u), len(one.times)))
+        if one.other_clock:
+            times = times + self._columns(u, "clock offset")
+        between = Interpolator(samples, which, times)
+        if one.quantity == ATTITUDE:
+            return between.attitudes()
+        if one.quantity == ARM_LENGTH:
+            width = min(one.values.shape[1], len(self.scenario.start_state().arm_length))
+            stems = [
+                [f"{name}.{j + 1}" for j in range(width)] for name in ("arm_length", "arm_rate")
+            ]
+            lengths, rates = (samples.of(*names) for names in stems)
+            free = np.array(self.scenario.vehicle.lengths())[:width]
+            return between.positions(lengths - free, rates)
+        place = between.positions(samples.vectors("position"), samples.vectors("velocity"))
+        names = [f"motion capture offset {a}" for a in _AXES]
+        place = place + self._columns(u, *names)[:, None]
+        corner = self.plan.sensors.motion_capture.smoothing
+        if corner is not None and len(one.times) > 3:
+            place = smoothed(place, 1.0 / float(np.median(np.diff(one.times))), corner)
+        return place
+
+    def _inertial(self, one: Reading, samples: StateSamples, which: Any, u: Array) -> Array:
+        place = self.plan.sensors.place or self.scenario.sensors.imu.offset
+        means = inertial_means(samples, np.array(place), self.scenario.world.gravity)
+        is_force = one.quantity == SPECIFIC_FORCE
+        word = "accelerometer bias" if is_force else "gyroscope bias"
+        true = means.specific_force if is_force else means.angular_velocity
+        bias = self._columns(u, *(f"{word} {a}" for a in _AXES))
+        return channel_output(true[which], bias, self.chain(one), samples.times, one.times)
+
+    def chain(self, one: Reading) -> ChannelChain:
+        """Chain of an inertial channel: as the plan has it, else the log, else the scenario."""
+        is_force = one.quantity == SPECIFIC_FORCE
+        sensors, told = self.plan.sensors, one.chain
+        given: InertialChannel = sensors.accelerometer if is_force else sensors.gyroscope
+        full: float | None = getattr(given, "full_scale", None)
+        low, average = given.low_pass, given.average
+        full = told.full_scale if full is None else full
+        low = told.low_pass if low is None else low
+        average = told.average if average is None else average
+        imu = self.scenario.sensors.imu
+        if "sensors" in self.scenario.model_fields_set and not imu.perfect:
+            part = imu.accelerometer if is_force else imu.gyroscope
+            full = part.full_scale if full is None else full
+            low = part.bandwidth if low is None else low
+        return ChannelChain(full, low, average)
+
+    def _resolution(self, one: Reading) -> Any:
+        """Standard deviation of a count of the converter at each arm length [m]."""
+        s = self.scenario
+        if "sensors" not in s.model_fields_set or s.sensors.hall.perfect:
+            return 0.0
+        device = s.sensors.devices(1.0 / s.clock, s.vehicle).arm_length
+        assert isinstance(device, HallSensors)
+        pressed = np.clip(-np.nan_to_num(one.values), 0.0, None)
+        found = [[abs(slope(device, float(x))) for x in row] for row in pressed]
+        return device.supply / device.counts / np.array(found) / np.sqrt(12.0)
+
+    @property
+    def farthest(self) -> float:
+        """Bound of every number."""
+        return FARTHEST
+
+
+def open_loop(tables: Mapping[str, Any], impact: ImpactReadings) -> dict[str, Any]:
+    """Tables of a flight without avionics, under the thrusts that were logged, or hovering."""
+    left_out = ("reference", "pilot", "recovery", "control", "estimator", "second", "sensors")
+    kept = {key: value for key, value in tables.items() if key not in left_out}
+    piloted = any(tables.get(key) is not None for key in ("reference", "pilot"))
+    if impact.thrust is not None:
+        kept["thrust"] = impact.thrust
+    elif piloted:
+        kept["thrust"] = "hover"
+    simulation = dict(kept.get("simulation", {}))
+    simulation["duration"] = impact.until + 1e-3
+    return kept | {"simulation": simulation}

@@ -1,0 +1,97 @@
+"""Does the model fit?  χ² of each channel, inside the contact too, and whether residuals hang
+together.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import scipy  # submodules are loaded on first use
+
+from springback.identification.fitting import ImpactFit
+from springback.identification.readings import Reading
+from springback.logs.recording import Array
+
+#: Probability below which a misfit is said (chosen; `springback identify check` tells how often
+#: that is wrong).
+UNLIKELY = 1e-3
+#: Lags of the test of Ljung and Box (chosen).
+LAGS = 8
+#: Deviations beyond which a sample of a track counts as an outlier (chosen).
+OUTLIER = 5.0
+
+
+class ChannelMisfit(NamedTuple):
+    """How well a channel is predicted."""
+
+    impact: str
+    channel: str
+    part: str  # "all" or "contact"
+    samples: int
+    ratio: float  # mean square of whitened residuals, 1 at best
+    probability: float  # two-sided, of a ratio so far from 1
+    correlated: float  # probability of residuals that hang together so much; NaN if not tested
+    outliers: int
+
+    @property
+    def is_misfit(self) -> bool:
+        """True if it is unlikely."""
+        hangs = np.isfinite(self.correlated) and self.correlated < UNLIKELY
+        return bool(self.probability < UNLIKELY or hangs)
+
+
+def misfits(fit: ImpactFit) -> list[ChannelMisfit]:
+    """Misfits of all channels of an impact at its optimum."""
+    impact, found = fit.problem.impact, []
+    errors = fit.problem.errors(fit.point)
+    numbers = effective_numbers(fit)
+    share = numbers / max(sum(white.size for white in errors.values()), 1)
+    contact = (impact.touch - 0.002, impact.release + 0.005)
+    for reading in fit.problem.readings:
+        white = errors[reading.name]
+        inside = (reading.times >= contact[0]) & (reading.times <= contact[1])
+        found.append(_tested(impact.name, reading, "all", white, share))
+        if inside.sum() >= LAGS:
+            found.append(_tested(impact.name, reading, "contact", white[inside], share))
+    return found
+
+
+def effective_numbers(fit: ImpactFit) -> float:
+    """Numbers that the data determine, those that the priors do left out."""
+    return float((1.0 - np.diag(fit.covariance)).sum())
+
+
+def _tested(impact: str, reading: Reading, part: str, white: Array, share: float) -> ChannelMisfit:
+    size = np.abs(white)
+    outliers = int((size > OUTLIER).any(axis=1).sum())
+    kept = white[(size <= OUTLIER).all(axis=1)] if reading.other_clock else white
+    count = max(kept.size * (1.0 - share), 1.0)
+    ratio = float((kept**2).sum()) / count
+    law = (
+        scipy.stats.f(count, reading.noise.freedom)
+        if np.isfinite(reading.noise.freedom) else scipy.stats.chi2(count, scale=1.0 / count)
+    )  # fmt: skip
+    above = float(law.sf(ratio))
+    is_guess = not np.isfinite(reading.noise.freedom)  # of what devices resolve: an upper bound
+    probability = above if is_guess else 2.0 * min(float(law.cdf(ratio)), above)
+    correlated = np.nan
+    if part == "contact" and len(kept) > 2 * LAGS:
+        correlated = _ljung_box(kept)
+    return ChannelMisfit(
+        impact, reading.name, part, len(kept), ratio, min(probability, 1.0), correlated, outliers
+    )
+
+
+def _ljung_box(white: Array) -> float:
+    """Probability that independent numbers hang together so much, least of all axes, corrected."""
+    count, least = len(white), 1.0
+    for column in white.T:
+        centred = column - column.mean()
+        power = float(centred @ centred)
+        if power <= 0.0:
+            continue
+        r = [float(centred[k:] @ centred[:-k]) / power for k in range(1, LAGS + 1)]
+        q = count * (count + 2.0) * sum(x * x / (count - k) for k, x in enumerate(r, start=1))
+        least = min(least, float(scipy.stats.chi2.sf(q, LAGS)))
+    return min(1.0, least * white.shape[1])

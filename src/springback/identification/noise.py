@@ -1,0 +1,104 @@
+"""Noise of a channel: autoregressive, estimated before touch, and whitened."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+#: Highest order of autoregression, and degree of the polynomial that is taken for motion (chosen).
+HIGHEST_ORDER, DEGREE = 4, 3
+#: Fewest samples from which noise is estimated (chosen).
+FEWEST = 20
+#: Degrees of freedom of Student's t for motion capture, whose markers are swapped at times
+#: (chosen; field's usual for robust regression: Lange, Little and Taylor, JASA 84, 1989).
+STUDENT = 4.0
+
+
+class ChannelNoise(NamedTuple):
+    """Noise of a channel: r_k = Σ φ_i r_(k-i) + e_k."""
+
+    coefficients: Array
+    """φ, shape (order,)."""
+    innovation: Array
+    """Standard deviation of e of each number, shape (width,)."""
+    stationary: Array
+    """Standard deviation of r, shape (width,)."""
+    freedom: float = np.inf
+    """Degrees of freedom of its estimate; infinite if it was given."""
+
+    def whitened(self, residuals: Array, starts: Array) -> Array:
+        """Residuals as independent numbers of standard deviation 1.
+
+        Args:
+            residuals: Shape (..., samples, width); NaN where lost, which gives zero.
+            starts: True for samples that follow a gap, and for the first, shape (samples,).
+        """
+        order, count = len(self.coefficients), residuals.shape[-2]
+        lost = np.isnan(residuals).any(axis=-1)
+        known = np.where(lost[..., None], 0.0, residuals)
+        white = known.copy()
+        since = np.arange(count) - np.maximum.accumulate(np.where(starts, np.arange(count), 0))
+        fresh = np.broadcast_to(since < order, lost.shape).copy()
+        for k, phi in enumerate(self.coefficients, start=1):
+            white[..., k:, :] -= phi * known[..., :-k, :]
+            fresh[..., k:] |= lost[..., :-k]
+        scaled = np.where(fresh[..., None], known / self.stationary, white / self.innovation)
+        return np.where(lost[..., None], 0.0, scaled)
+
+
+def white_noise(deviation: Any, width: int) -> ChannelNoise:
+    """White noise of a standard deviation."""
+    sigma = np.broadcast_to(np.asarray(deviation, dtype=float), (width,)).copy()
+    return ChannelNoise(np.empty(0), sigma, sigma)
+
+
+def estimated_noise(times: Array, values: Array, floor: float) -> ChannelNoise:
+    """Noise about a smooth motion.
+
+    A cubic polynomial is taken for the motion; the order of the autoregression is that of the least
+    information criterion (Akaike 1974), its coefficients are common to all numbers.
+
+    Args:
+        times: Before touch [s], shape (samples,).
+        values: Shape (samples, width); NaN where lost.
+        floor: Least standard deviation, of what the sensor resolves.
+    """
+    known = ~np.isnan(values).any(axis=1)
+    t, y = times[known], values[known]
+    width = values.shape[1]
+    if len(t) < FEWEST:
+        return white_noise(floor, width)
+    middle, half = 0.5 * (t[0] + t[-1]), max(0.5 * (t[-1] - t[0]), 1e-9)
+    basis = np.polynomial.legendre.legvander((t - middle) / half, DEGREE)
+    fitted, *_ = np.linalg.lstsq(basis, y, rcond=None)
+    rest = y - basis @ fitted
+    free = len(t) - DEGREE - 1
+    sigma = np.maximum(np.sqrt((rest**2).sum(axis=0) / free), floor)
+    moving = sigma > floor * (1.0 + 1e-9)
+    if not moving.any():
+        return white_noise(sigma, width)
+    scaled = rest[:, moving] / sigma[moving]
+    best, least = (np.empty(0), 1.0), 0.0
+    samples = scaled.size
+    for order in range(1, HIGHEST_ORDER + 1):
+        phi, share = _yule_walker(scaled, order)
+        score = samples * np.log(max(share, 1e-12)) + 2.0 * order
+        if score < least - 2.0:
+            best, least = (phi, share), score
+    phi, share = best
+    innovation = np.maximum(sigma * np.sqrt(max(share, 1e-12)), 1e-3 * floor)
+    freedom = float(free * moving.sum())
+    return ChannelNoise(phi, np.where(moving, innovation, sigma), sigma, freedom)
+
+
+def _yule_walker(values: Array, order: int) -> tuple[Array, float]:
+    """Coefficients, and the innovation's share of the variance (Yule 1927, Walker 1931)."""
+    count = len(values)
+    sums = [float((values[k:] * values[: count - k]).sum()) for k in range(order + 1)]
+    r = np.array(sums) / sums[0]
+    matrix = r[np.abs(np.subtract.outer(np.arange(order), np.arange(order)))]
+    phi = np.linalg.solve(matrix + 1e-9 * np.eye(order), r[1:])
+    return phi, float(1.0 - phi @ r[1:])

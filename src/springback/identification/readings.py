@@ -1,0 +1,271 @@
+"""Readings of an impact: the parts of logs that belong to it, on one clock, with their noise."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.errors import InputError
+from springback.identification.noise import ChannelNoise, estimated_noise, white_noise
+from springback.identification.settings import FitPlan
+from springback.identification.starts import StartGuess, start_guess
+from springback.logs.clocks import GAP, Offset
+from springback.logs.frame_check import bends, offset_of
+from springback.logs.frame_turns import conjugate, continuous, product, rotation_vector
+from springback.logs.recording import (
+    ANGULAR_VELOCITY,
+    ARM_LENGTH,
+    ATTITUDE,
+    POSITION,
+    ROTOR_COMMAND,
+    SPECIFIC_FORCE,
+    Array,
+    LogChannel,
+    Recording,
+    SensorChain,
+)
+from springback.logs.segments import ALIGNED, LogImpact
+from springback.scenario.scenario import Scenario
+
+#: Least standard deviations of a sample: what common devices resolve (chosen).
+FLOORS = {
+    SPECIFIC_FORCE: 5e-3, ANGULAR_VELOCITY: 5e-4, POSITION: 5e-5, ATTITUDE: 2e-4, ARM_LENGTH: 2e-5,
+}  # fmt: skip
+#: Time before touch from which noise is estimated, and its distance from touch [s] (chosen).
+QUIET, CLEAR = 0.5, 0.01
+#: Doubt of a clock that only the impact itself aligns [s] (chosen: a frame at 200 Hz).
+COARSE = 5e-3
+
+
+class Reading(NamedTuple):
+    """One channel of an impact."""
+
+    quantity: str
+    name: str
+    times: Array  # [s] from the start of the window, shape (samples,)
+    values: Array  # SI, shape (samples, width); NaN where lost
+    noise: ChannelNoise
+    starts: Any  # True for samples that follow a gap, and for the first
+    chain: SensorChain
+    other_clock: bool
+
+
+class ImpactReadings(NamedTuple):
+    """All readings of an impact."""
+
+    name: str
+    touch: float  # [s] from the start of the window, as found in the log
+    release: float
+    until: float  # end of the window [s]
+    start: StartGuess
+    readings: tuple[Reading, ...]
+    clock_doubt: float  # of other devices [s]
+    thrust: dict[str, Any] | None  # ``thrust`` of a scenario, if commands were logged
+
+    def of(self, quantity: str) -> Reading | None:
+        """Reading of a quantity, if there is one."""
+        return next((one for one in self.readings if one.quantity == quantity), None)
+
+
+class _Found(NamedTuple):
+    recording: Recording
+    channel: LogChannel
+    shift: float  # added to its times
+
+
+def impact_readings(
+    plan: FitPlan, scenario: Scenario, recordings: Sequence[Recording], impact: LogImpact
+) -> ImpactReadings:
+    """Readings of an impact that was found in the logs of a flight.
+
+    Args:
+        plan: Of the fit.
+        scenario: Of this flight.
+        recordings: Logs of the flight.
+        impact: Found in them.
+
+    Raises:
+        InputError: If there is neither an accelerometer nor a track.
+    """
+    inertial = _inertial(recordings)
+    tracks, doubt = _tracks(plan, recordings, inertial, impact)
+    arms = [
+        _Found(one, channel, 0.0)
+        for one in recordings for channel in one.of(ARM_LENGTH)
+        if not inertial or one is inertial[0].recording
+    ][:1]  # fmt: skip
+    used = [*inertial, *tracks, *arms]
+    if not any(one.channel.quantity in (SPECIFIC_FORCE, POSITION) for one in used):
+        raise InputError(f"{impact.log}: has neither an accelerometer nor a track to fit")
+    begin, end = _window(plan, used, impact)
+    readings = tuple(
+        reading for one in used
+        if (reading := _reading(plan, one, begin, end, impact, inertial)) is not None
+    )  # fmt: skip
+    touch, release = impact.touch - begin, impact.release - begin
+    guess = start_guess(scenario, readings, touch)
+    thrust = _thrust(scenario, recordings, begin, end)
+    name = f"{impact.log} at {impact.touch:.3f} s"
+    return ImpactReadings(name, touch, release, end - begin, guess, readings, doubt, thrust)
+
+
+def _inertial(recordings: Sequence[Recording]) -> list[_Found]:
+    """The fastest accelerometer, and the gyroscope beside it."""
+    found = [
+        _Found(one, channel, 0.0) for one in recordings for channel in one.of(SPECIFIC_FORCE)
+        if not channel.chain.estimated
+    ]  # fmt: skip
+    if not found:
+        return []
+    best = max(found, key=lambda one: one.channel.rate)
+    beside = [
+        _Found(best.recording, channel, 0.0) for channel in best.recording.of(ANGULAR_VELOCITY)
+        if channel.clock == best.channel.clock
+    ]  # fmt: skip
+    return [best, *sorted(beside, key=lambda one: -one.channel.rate)[:1]]
+
+
+def _tracks(
+    plan: FitPlan, recordings: Sequence[Recording], inertial: Sequence[_Found], impact: LogImpact
+) -> tuple[list[_Found], float]:
+    """Measured positions and attitudes of the body, with the doubt of their clock [s]."""
+    for recording in recordings:
+        for position in recording.of(POSITION):
+            if position.chain.estimated:
+                continue
+            attitude = next(
+                (one for one in recording.of(ATTITUDE)
+                 if one.clock == position.clock and not one.chain.estimated), None,
+            )  # fmt: skip
+            shift, doubt = _shift(plan, recording, position, attitude, inertial, impact)
+            pair = [position] if attitude is None else [position, attitude]
+            return [_Found(recording, one, shift) for one in pair], doubt
+    return [], 0.0
+
+
+def _shift(
+    plan: FitPlan,
+    recording: Recording,
+    position: LogChannel,
+    attitude: LogChannel | None,
+    inertial: Sequence[_Found],
+    impact: LogImpact,
+) -> tuple[float, float]:
+    """What is added to a track's clock to get the inertial unit's, and its doubt [s]."""
+    if not inertial:
+        return 0.0, 0.0
+    home = inertial[0]
+    if home.recording is recording and home.channel.clock == position.clock:
+        return 0.0, 0.0
+    if plan.clocks.offset is not None:
+        return plan.clocks.offset, plan.clocks.doubt
+    gyro = next((one for one in inertial if one.channel.quantity == ANGULAR_VELOCITY), None)
+    if attitude is not None and gyro is not None:
+        found: Offset = offset_of(recording, attitude, (gyro.recording, gyro.channel))
+        if found.correlation >= ALIGNED:
+            return found.seconds, plan.clocks.doubt
+    if home.recording is recording:  # one program wrote both
+        return 0.0, plan.clocks.doubt
+    at, _, bend = bends(position)
+    if not len(at):
+        return 0.0, plan.clocks.doubt
+    size = np.linalg.norm(bend, axis=1)
+    strongest = float(at[int(np.nanargmax(size))])
+    return 0.5 * (impact.touch + impact.release) - strongest, COARSE
+
+
+def _window(plan: FitPlan, used: Sequence[_Found], impact: LogImpact) -> tuple[float, float]:
+    """Start and end of the part that is fitted [s], the start at a sample of the first channel."""
+    contact = max(impact.release - impact.touch, 1e-3)
+    after = plan.window.after
+    end = impact.release + (max(3.0 * contact, 0.1) if after is None else after)
+    first = used[0].channel.times + used[0].shift
+    begin = max(impact.touch - plan.window.before, *(
+        float(one.channel.times[0] + one.shift) for one in used
+    ))  # fmt: skip
+    place = min(int(np.searchsorted(first, begin - 1e-9)), len(first) - 1)
+    return float(first[place]), min(end, float(first[-1]))
+
+
+def _reading(
+    plan: FitPlan,
+    one: _Found,
+    begin: float,
+    end: float,
+    impact: LogImpact,
+    inertial: Sequence[_Found],
+) -> Reading | None:
+    """Part of a channel in the window; None if it has too few samples there."""
+    channel, quantity = one.channel, one.channel.quantity
+    times = channel.times + one.shift
+    values = channel.values
+    before = (times >= impact.touch - QUIET) & (times < impact.touch - CLEAR)
+    if quantity == ATTITUDE:
+        values = continuous(values)
+    if quantity == ARM_LENGTH:
+        values = values - np.nanmedian(values[before], axis=0) if before.any() else values
+    given = _given_noise(plan, quantity)
+    if given is not None:
+        noise = white_noise(given, 3 if quantity == ATTITUDE else values.shape[1])
+    else:
+        quiet = values[before]
+        if quantity == ATTITUDE and len(quiet):
+            known = quiet[~np.isnan(quiet).any(axis=1)]
+            quiet = rotation_vector(product(conjugate(known[0]), quiet)) if len(known) else quiet
+        noise = estimated_noise(times[before], quiet, FLOORS[quantity])
+    inside = (times >= begin - 1e-9) & (times <= end + 1e-9)
+    if inside.sum() < 3:
+        return None
+    at = times[inside] - begin
+    usual = 1.0 / channel.rate if channel.rate else np.inf
+    starts = np.concatenate([[True], np.diff(at) > GAP * usual])
+    home = inertial[0] if inertial else one
+    other = not (one.recording is home.recording and channel.clock == home.channel.clock)
+    return Reading(quantity, channel.name, at, values[inside], noise, starts, channel.chain, other)
+
+
+def _given_noise(plan: FitPlan, quantity: str) -> float | None:
+    sensors = plan.sensors
+    return {
+        SPECIFIC_FORCE: sensors.accelerometer.noise,
+        ANGULAR_VELOCITY: sensors.gyroscope.noise,
+        POSITION: sensors.motion_capture.noise,
+        ATTITUDE: sensors.motion_capture.attitude_noise,
+        ARM_LENGTH: sensors.arm_length.noise,
+    }[quantity]
+
+
+def _thrust(
+    scenario: Scenario, recordings: Sequence[Recording], begin: float, end: float
+) -> dict[str, Any] | None:
+    """Thrusts over the window, of logged commands through the lag of the rotors."""
+    propulsion = scenario.vehicle.propulsion
+    if propulsion is None or scenario.model.slider is not None:
+        return None
+    for recording in recordings:
+        for channel in recording.of(ROTOR_COMMAND):
+            if channel.values.shape[1] < scenario.vehicle.rotor_count:
+                continue
+            share = np.nan_to_num(channel.values[:, : scenario.vehicle.rotor_count])
+            wanted = np.clip(
+                share * propulsion.max_thrust, propulsion.min_thrust, propulsion.max_thrust
+            )
+            thrusts = _lagged(channel.times, wanted, propulsion.time_constant)
+            inside = (channel.times > begin) & (channel.times < end)
+            at = np.concatenate([[begin], channel.times[inside], [end]])
+            rows = np.stack([np.interp(at, channel.times, one) for one in thrusts.T], axis=1)
+            return {"time": (at - begin).tolist(), "values": rows.tolist()}
+    return None
+
+
+def _lagged(times: Array, wanted: Array, constant: float) -> Array:
+    """Thrusts that follow commands, each held to the next one, by a first-order lag [N]."""
+    if constant <= 0.0:
+        return wanted
+    thrusts = wanted.copy()
+    for k in range(1, len(times)):
+        share = -np.expm1(-(times[k] - times[k - 1]) / constant)
+        thrusts[k] = thrusts[k - 1] + share * (wanted[k - 1] - thrusts[k - 1])
+    return thrusts

@@ -1,0 +1,152 @@
+"""Files of a fit: values with their doubt as an overlay of scenarios, and draws of the posterior."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from springback.errors import InputError
+from springback.identification.estimates import FieldEstimate
+from springback.identification.fits import FitResult
+from springback.identification.unknowns import FARTHEST
+from springback.logs.recording import Array
+from springback.random_streams import Purpose, stream
+from springback.results.parquet import write_parquet
+from springback.scenario.source_text import source_text, toml_tables
+
+#: Names of the files.
+IDENTIFIED, POSTERIOR, SUMMARY = "identified.toml", "posterior.parquet", "fit.json"
+#: Draws of the posterior (chosen).
+DRAWS = 1000
+
+
+def finite(number: float) -> float | None:
+    """A number for JSON, which has no infinity."""
+    return float(number) if np.isfinite(number) else None
+
+
+def as_data(result: FitResult) -> dict[str, Any]:
+    """A fit as plain data."""
+    return {
+        "name": result.plan.name,
+        "learned": result.learned,
+        "estimates": [
+            {
+                "field": one.unknown.name, "role": one.unknown.role, "value": one.value,
+                "low": finite(one.low), "high": finite(one.high), "unit": one.unknown.unit,
+                "prior": list(one.prior), "doubt": one.unknown.doubt, "verdict": one.verdict,
+                "share_of_prior": one.deviation,
+                "scatter": None if one.pooled is None else one.pooled.scatter
+                * one.unknown.deviation,
+            }
+            for one in result.estimates
+        ],
+        "impacts": [
+            {
+                "name": fit.name, "cost": fit.cost, "rows": len(fit.jacobian),
+                "agreeing_starts": fit.agreeing, "starts": fit.starts, "seconds": fit.seconds,
+                "flights": fit.problem.flown,
+                "values": {
+                    one.name: float(one.value(u))
+                    for one, u in zip(fit.problem.unknowns, fit.point, strict=True)
+                },
+            }
+            for fit in result.fits
+        ],
+        "misfits": [one._asdict() | {"correlated": finite(one.correlated)}
+                    for one in result.misfits],
+        "sentences": list(result.sentences),
+        "refused": list(result.refused),
+    }  # fmt: skip
+
+
+def write_files(result: FitResult, folder: Path) -> list[Path]:
+    """Write the overlay, the posterior and all numbers of a fit; the paths."""
+    paths = [folder / name for name in (IDENTIFIED, POSTERIOR, SUMMARY)]
+    paths[0].write_text(overlay_text(result), encoding="utf-8")
+    fields = [one for one in result.estimates]
+    columns = dict(zip((one.unknown.name for one in fields), draws(result).T, strict=True))
+    units = {one.unknown.name: one.unknown.unit for one in fields}
+    about = {"name": result.plan.name, "draws": f"{DRAWS} draws, of a next impact"}
+    write_parquet(paths[1], columns, units, about)
+    text = json.dumps(as_data(result), indent=1, allow_nan=False)
+    paths[2].write_text(text + "\n", encoding="utf-8")
+    return paths
+
+
+def draws(result: FitResult, count: int = DRAWS) -> Array:
+    """Draws of all fields for a next impact [SI], shape (draws, fields).
+
+    One impact: the posterior by Laplace, correlations included.  Several: the values that they tell
+    together, with the scatter from impact to impact; known fields by their doubt.
+    """
+    generator = stream(result.plan.seed, Purpose.SCATTER)
+    normal = generator.standard_normal((count, len(result.estimates)))
+    if len(result.fits) == 1:
+        fit = result.fits[0]
+        which = [fit.problem.place[one.unknown.name] for one in result.estimates]
+        part = fit.covariance[np.ix_(which, which)]
+        u = fit.point[which] + normal @ np.linalg.cholesky(part).T
+    else:
+        columns = []
+        for one, column in zip(result.estimates, normal.T, strict=True):
+            if one.pooled is None:
+                columns.append(one.unknown.coordinate(one.value) + one.deviation * column)
+                continue
+            spread = np.hypot(one.deviation, one.pooled.scatter)
+            columns.append(one.pooled.value + spread * column)
+        u = np.stack(columns, axis=1)
+    u = np.clip(u, -FARTHEST, FARTHEST)
+    values = [one.unknown.value(u[:, k]) for k, one in enumerate(result.estimates)]
+    return np.stack(values, axis=1)
+
+
+def overlay_text(result: FitResult) -> str:
+    """``identified.toml``: values to lay over a scenario, and their doubt."""
+    lines = [
+        f"# What {len(result.fits)} impact{'s' if len(result.fits) > 1 else ''} told "
+        "(springback identify fit); lay it over a scenario:",
+        f"#   springback fly SCENARIO.toml --with {IDENTIFIED}",
+        f"name = {json.dumps(result.plan.name)}",
+        "",
+        "[values]",
+    ]
+    told = [one for one in result.estimates if one.unknown.role == "free"]
+    for one in told:
+        lines.append(f"# {one.unknown.unit or 'no unit'}; {one.verdict}")
+        lines.append(f"{json.dumps(one.unknown.name)} = {one.value!r}")
+    lines += ["", "# One standard deviation, in the words of [known] of a further fit.", "[doubt]"]
+    lines += [f"{json.dumps(one.unknown.name)} = {json.dumps(doubt_text(one))}" for one in told]
+    return "\n".join(lines) + "\n"
+
+
+def doubt_text(one: FieldEstimate) -> str:
+    """Value and standard deviation of a field, as a plan reads them."""
+    deviation = one.unknown.deviation * one.deviation
+    value = f"{one.value!r} {one.unknown.unit}".strip()
+    if one.unknown.logarithmic:
+        return f"{value} +- {100.0 * deviation:.3g} %"
+    return f"{value} +- {deviation:.3g} {one.unknown.unit}".strip()
+
+
+def overlay_words(path: str | Path) -> list[str]:
+    """Overrides of a scenario that an overlay holds, such as ``vehicle.body.mass=1.2``.
+
+    Raises:
+        InputError: If the file is no overlay.
+    """
+    given = toml_tables(source_text(Path(path)), str(path))
+    values = given.get("values")
+    if not isinstance(values, Mapping) or not values:
+        raise InputError(
+            f"{path}: is no overlay: it has no table [values], which springback identify fit writes"
+        )
+    for key, value in values.items():
+        if isinstance(value, bool) or not isinstance(value, int | float | str):
+            raise InputError(f"{path}: values.{key}: must be a number (got {value!r})")
+    return [f"{key}={value!r}" if not isinstance(value, str) else f"{key}={json.dumps(value)}"
+            for key, value in values.items()]  # fmt: skip

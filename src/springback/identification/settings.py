@@ -1,0 +1,212 @@
+"""Plan of a fit, as a user writes it: ``fit.toml``."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, ValidationError, field_validator, model_validator
+
+from springback.errors import InputError, shown_value
+from springback.problems import dotted_path, problem_paths
+from springback.quantities import Duration, Unit
+from springback.scenario.files import place_of
+from springback.scenario.overrides import apply_overrides
+from springback.scenario.source_text import source_text, toml_tables
+from springback.settings import Name, Settings, problem
+
+Rate = Annotated[float, Unit("Hz", above=0.0)]
+#: Fields that are doubted by default, with the doubt: what a scale and a ruler tell (chosen).
+USUALLY_KNOWN = {"vehicle.body.mass": "+- 0.5 %", "vehicle.arms.mass": "+- 5 %"}
+#: The word for a field that is not doubted.
+EXACT = "exact"
+
+
+class InertialChannel(Settings):
+    """An accelerometer [m/s²] or a gyroscope [rad/s]; what is not given is as the log tells."""
+
+    average: Duration | None = None
+    """Each sample is the mean over this time before its instant."""
+    low_pass: Rate | None = None
+    """Corner of a low-pass of first order, after the range."""
+
+
+class AccelerometerFit(InertialChannel):
+    """Accelerometer."""
+
+    full_scale: Annotated[float, Unit("m/s^2", above=0.0)] | None = None
+    noise: Annotated[float, Unit("m/s^2", above=0.0)] | None = None
+    """Standard deviation of a sample, if white; by default estimated before touch."""
+    bias: Annotated[float, Unit("m/s^2", above=0.0)] = 0.2
+    """Standard deviation of each axis (chosen)."""
+
+
+class GyroscopeFit(InertialChannel):
+    """Gyroscope."""
+
+    full_scale: Annotated[float, Unit("rad/s", above=0.0)] | None = None
+    noise: Annotated[float, Unit("rad/s", above=0.0)] | None = None
+    bias: Annotated[float, Unit("rad/s", above=0.0)] = 0.02
+
+
+class MotionCaptureFit(Settings):
+    """Motion capture."""
+
+    noise: Annotated[float, Unit("m", above=0.0)] | None = None
+    attitude_noise: Annotated[float, Unit("rad", above=0.0)] | None = None
+    smoothing: Rate | None = None
+    """Corner of the program's zero-phase Butterworth filter of second order each way."""
+    offset: Annotated[float, Unit("m", above=0.0)] = 0.02
+    """Doubt of its origin against the scenario's obstacles, each axis (chosen)."""
+
+
+class ArmLengthFit(Settings):
+    """Sensors of the arms' lengths."""
+
+    noise: Annotated[float, Unit("m", above=0.0)] | None = None
+
+
+class FitSensors(Settings):
+    """What stands between the motion and the logs, beyond what these tell."""
+
+    accelerometer: AccelerometerFit = AccelerometerFit()
+    gyroscope: GyroscopeFit = GyroscopeFit()
+    motion_capture: MotionCaptureFit = MotionCaptureFit()
+    arm_length: ArmLengthFit = ArmLengthFit()
+    place: tuple[Any, Any, Any] | None = None
+    """Of the inertial unit from the main body's centre of mass, body axes; by default that of
+    ``sensors.imu.offset`` of the scenario."""
+
+    @field_validator("place")
+    @classmethod
+    def _metres(cls, given: Any) -> Any:
+        return None if given is None else Unit("m").triple(given)
+
+
+class ClockFit(Settings):
+    """Clocks of other devices against that of the inertial unit."""
+
+    offset: Annotated[float, Unit("s")] | None = None
+    """Added to theirs; by default found from the turns that both saw."""
+    doubt: Duration = 2e-3
+    """Its standard deviation (chosen: what a correlation of turns leaves)."""
+
+
+class StartFit(Settings):
+    """Doubt of the state before touch about what the log's tracks tell."""
+
+    position: Annotated[float, Unit("m", above=0.0)] = 0.02
+    velocity: Annotated[float, Unit("m/s", above=0.0)] = 0.2
+    attitude: Annotated[float, Unit("rad", above=0.0)] = 0.06
+    angular_velocity: Annotated[float, Unit("rad/s", above=0.0)] = 0.5
+
+
+class WindowFit(Settings):
+    """Part of a log that is fitted."""
+
+    before: Duration = 0.3
+    """Time before touch."""
+    after: Duration | None = None
+    """Time after release; by default three times the contact, and 0.1 s at least."""
+
+
+class LoggedFlight(Settings):
+    """Logs of one flight."""
+
+    logs: Annotated[tuple[str, ...], Field(min_length=1)]
+    """Files, or folders that ``springback fly`` wrote, relative to the plan."""
+    world: str | None = None
+    """World axes of poses: nwu, enu, ned, z-up, y-up."""
+    body: str | None = None
+    """Body axes of poses: flu, frd, rfu, y-up."""
+    first: Annotated[float, Unit("s")] | None = None
+    """First instant that is read."""
+    last: Annotated[float, Unit("s")] | None = None
+    at: tuple[Annotated[float, Unit("s")], ...] = ()
+    """Instants of the touches to be fitted, to 50 ms; by default all that are found."""
+    change: tuple[str, ...] = ()
+    """Overrides of the scenario for this flight, such as ``start.velocity.0=2``."""
+
+
+class FitPlan(Settings):
+    """Plan of a fit."""
+
+    name: Name = "fit"
+    scenario: str
+    """Path of the scenario: vehicle, obstacle hit, sensors; its start is where logs tell none."""
+    flights: Annotated[tuple[LoggedFlight, ...], Field(min_length=1)]
+    free: dict[str, str]
+    """Fields to be fitted, each with its doubt: ``factor 5``, ``+- 20 %``, ``+- 5 deg``,
+    ``5 N/mm factor 3``."""
+    known: dict[str, str] = Field(default_factory=dict)
+    """Fields that are known to some doubt, as ``1.88 kg +- 0.5 %``; ``exact`` for none."""
+    sensors: FitSensors = FitSensors()
+    clocks: ClockFit = ClockFit()
+    start: StartFit = StartFit()
+    thrust: Annotated[float, Unit("", above=0.0)] = 0.05
+    """Standard deviation of the factor of all thrusts (chosen)."""
+    window: WindowFit = WindowFit()
+    scatter: Literal["impact", "none"] = "impact"
+    """``impact``: what is fitted may differ from impact to impact; ``none``: it may not."""
+    starts: Annotated[int, Field(ge=1, le=64, strict=True)] = 8
+    """Starts of the search, of a Sobol' sequence."""
+    seed: Annotated[int, Field(ge=0, strict=True)] = 0
+
+    @model_validator(mode="before")
+    @classmethod
+    def _single_flight(cls, given: Any) -> Any:
+        """``logs`` alone are those of a single flight."""
+        if isinstance(given, Mapping) and "logs" in given:
+            if "flights" in given:
+                raise problem("cannot be combined with [[flights]]", "logs")
+            rest = {key: value for key, value in given.items() if key != "logs"}
+            return {**rest, "flights": [{"logs": given["logs"]}]}
+        return given
+
+    @model_validator(mode="after")
+    def _something_free(self) -> FitPlan:
+        if not self.free:
+            raise problem("needs at least one field", "free")
+        for name in self.free:
+            if name in self.known:
+                raise problem("is free as well", f"known.{name}")
+        return self
+
+    def doubts(self) -> dict[str, str]:
+        """Known fields with their doubt, those that usually are included."""
+        told = {name: text for name, text in USUALLY_KNOWN.items() if name not in self.free}
+        told |= self.known
+        return {name: text for name, text in told.items() if text.strip() != EXACT}
+
+
+def read_fit_plan(path: str | Path, overrides: Sequence[str] = ()) -> FitPlan:
+    """Read a plan.
+
+    Args:
+        path: TOML file.
+        overrides: Words such as ``starts=16``.
+
+    Raises:
+        InputError: One line for each problem, with file, line and field.
+    """
+    path = Path(path)
+    text = source_text(path)
+    given = toml_tables(text, str(path))
+    try:
+        return FitPlan.model_validate(apply_overrides(given, overrides))
+    except ValidationError as error:
+        problems = []
+        for keys, what in problem_paths(error):
+            said = f"{dotted_path(keys)}: {what}" if keys else what
+            problems.append(f"{place_of(str(path), text, keys)}: {said}")
+        raise InputError(*problems) from None
+
+
+def refuse_second_vehicle(scenario: Any) -> None:
+    """Refuse scenarios of two vehicles, of which a fit knows the start of one only."""
+    if scenario.second is not None:
+        raise InputError(
+            f"second: must not be given in the scenario of a fit (got "
+            f"{shown_value(scenario.second.name)})"
+        )

@@ -1,0 +1,98 @@
+"""State of a vehicle before touch, as its log tells it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+
+from springback.logs.frame_turns import conjugate, product, rotation_vector, vector_quaternion
+from springback.logs.recording import ANGULAR_VELOCITY, ATTITUDE, POSITION, Array
+from springback.scenario.model import way_to_touch
+from springback.scenario.scenario import Scenario
+
+if TYPE_CHECKING:
+    from springback.identification.readings import Reading
+
+#: Fewest samples of a track before touch, and distance from touch [s] (chosen).
+FEWEST, CLEAR = 5, 5e-3
+
+
+class StartGuess(NamedTuple):
+    """State at the start of the window."""
+
+    position: Array  # world [m]
+    velocity: Array  # world [m/s]
+    attitude: Array  # body to world, w, x, y, z
+    angular_velocity: Array  # body [rad/s]
+    tracked: bool  # a track tells the position, else the scenario
+
+    def moved(self, shift: Any) -> StartGuess:
+        """The guess with a latent's change, shape (12,): position, velocity, turn, rate."""
+        turn = vector_quaternion(np.asarray(shift[6:9]))
+        attitude = product(self.attitude, turn)
+        return StartGuess(
+            self.position + shift[:3], self.velocity + shift[3:6],
+            attitude / np.linalg.norm(attitude), self.angular_velocity + shift[9:12], self.tracked,
+        )  # fmt: skip
+
+
+def start_guess(scenario: Scenario, readings: Sequence[Reading], touch: float) -> StartGuess:
+    """State at the start of the window, from the tracks before touch, else from the scenario.
+
+    Args:
+        scenario: Of the flight.
+        readings: Of the impact.
+        touch: In its window [s].
+    """
+    found = {one.quantity: one for one in readings}
+    state = scenario.start_state()
+    attitude, omega = np.array(state.attitude), np.array(state.angular_velocity)
+    position, velocity = np.array(state.position), np.array(state.velocity)
+    tracked = _line(found.get(POSITION), touch)
+    turned = _turn(found.get(ATTITUDE), touch)
+    if scenario.model.slider is None:
+        if turned is not None:
+            attitude, omega = turned
+        if (gyro := found.get(ANGULAR_VELOCITY)) is not None:
+            early = gyro.values[gyro.times < max(0.2 * touch, 0.01)]
+            if len(early) and not np.isnan(early).all():
+                omega = np.nanmean(early, axis=0)
+    if tracked is not None:
+        position, velocity = tracked
+    else:
+        way = float(way_to_touch(scenario.flight_model(), state))
+        speed = float(np.linalg.norm(velocity))
+        position = position + (way - speed * touch) * velocity / max(speed, 1e-9)
+    axis = scenario.model.slider
+    if axis is not None:
+        unit, home = np.array(axis) / np.linalg.norm(axis), np.array(state.position)
+        position = home + ((position - home) @ unit) * unit
+        velocity = (velocity @ unit) * unit
+    return StartGuess(position, velocity, attitude, omega, tracked is not None)
+
+
+def _line(track: Reading | None, touch: float) -> tuple[Array, Array] | None:
+    """Position and velocity at the start of the window, by a parabola through a track."""
+    if track is None:
+        return None
+    known = (track.times < touch - CLEAR) & ~np.isnan(track.values).any(axis=1)
+    if known.sum() < FEWEST:
+        return None
+    t, values = track.times[known], track.values[known]
+    fit = np.polynomial.polynomial.polyfit(t, values, 2 if known.sum() > 2 * FEWEST else 1)
+    return fit[0], fit[1]
+
+
+def _turn(track: Reading | None, touch: float) -> tuple[Array, Array] | None:
+    """Attitude at the start of the window and the rate of turn, body axes."""
+    if track is None:
+        return None
+    known = (track.times < touch - CLEAR) & ~np.isnan(track.values).any(axis=1)
+    if known.sum() < FEWEST:
+        return None
+    t, q = track.times[known], track.values[known]
+    vectors = rotation_vector(product(conjugate(q[0]), q))
+    begin, rate = np.polynomial.polynomial.polyfit(t, vectors, 1)
+    return product(q[0], vector_quaternion(begin)), rate

@@ -1,0 +1,162 @@
+"""Unknowns of a fit: fields of a scenario that are free or known to some doubt, and latents.
+
+Inside, each is a number u with a standard normal prior: value = centre + deviation u, or of its
+logarithm for what is known to a factor or a share.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping, Sequence
+from typing import Any, Literal, NamedTuple
+
+import numpy as np
+from pydantic_core import PydanticCustomError
+
+from springback.errors import InputError, shown_value
+from springback.problems import key_path
+from springback.quantities import number_in, si_number
+from springback.scenario.fields import Parameter, Path, number_at
+from springback.scenario.overrides import with_value
+from springback.scenario.scenario import Scenario
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+Role = Literal["free", "known", "latent"]
+#: Bounds of u: no posterior is beyond them unless the data contradict the prior (chosen).
+FARTHEST = 6.0
+#: Share of a normal distribution within two deviations: "factor 5" is ln 5 = two deviations.
+TWO_DEVIATIONS = 2.0
+_DOUBT = re.compile(r"^\s*(?P<centre>.*?)\s*(?:\+-|\+/-|±)\s*(?P<doubt>.+?)\s*$")
+_FACTOR = re.compile(r"^\s*(?:(?P<centre>.*\S)\s+)?factor\s+(?P<factor>\S+)\s*$")
+
+
+class Unknown(NamedTuple):
+    """One unknown."""
+
+    name: str
+    """Path of a field, or what a latent is."""
+    role: Role
+    centre: float
+    """Of the prior: a value, or its logarithm."""
+    deviation: float
+    """Of the prior."""
+    logarithmic: bool
+    unit: str
+    """SI; empty for plain numbers."""
+    doubt: str
+    """The prior in words."""
+    flies: bool = True
+    """False if the motion does not depend on it, only what a sensor tells of it."""
+    path: Path = ()
+
+    def value(self, u: Any) -> Any:
+        """Value in SI, of a number u or an array."""
+        there = self.centre + self.deviation * u
+        return np.exp(there) if self.logarithmic else there
+
+    def coordinate(self, value: float) -> float:
+        """The number u of a value in SI."""
+        there = math.log(value) if self.logarithmic else value
+        return (there - self.centre) / self.deviation
+
+    def relative(self, deviation: float) -> float:
+        """Standard deviation of the value, as a share of it if logarithmic, of one of u."""
+        return self.deviation * deviation
+
+
+def field_unknown(name: str, text: str, role: Role, scenario: Scenario) -> Unknown:
+    """Unknown field of a scenario.
+
+    Args:
+        name: Dotted path of a number.
+        text: Its doubt: ``factor 5`` (95 % within that factor), ``+- 2 %``, ``+- 5 deg`` or
+            ``1.88 kg +- 0.5 %`` (one standard deviation).
+        role: ``free`` or ``known``.
+        scenario: That has it.
+
+    Raises:
+        InputError: If there is no such number, or the text is no doubt of it.
+    """
+    path = tuple(key_path(name))
+    found = number_at(name, path, scenario, ()) if path else None
+    if found is None or found.whole:
+        raise InputError(f"{name}: is no number that can be fitted")
+    current = _current(scenario, path)
+    try:
+        centre, deviation, logarithmic = _prior(found, text, current)
+    except PydanticCustomError as error:
+        raise InputError(f"{name}: {error.message()}") from None
+    if not (math.isfinite(deviation) and deviation > 0.0):
+        raise InputError(f"{name}: a doubt must be above zero (got {shown_value(text)})")
+    return Unknown(name, role, centre, deviation, logarithmic, found.unit, text, path=path)
+
+
+def _current(scenario: Scenario, path: Path) -> float | None:
+    """Number that a scenario has at a path; None if it has none."""
+    node: Any = scenario
+    for key in path:
+        try:
+            node = node[key] if isinstance(key, int) else getattr(node, key)
+        except (TypeError, IndexError, AttributeError):
+            return None
+    return float(node) if isinstance(node, int | float) else None
+
+
+def _prior(field: Parameter, text: str, current: float | None) -> tuple[float, float, bool]:
+    """Centre and deviation of a prior, and whether they are of the logarithm."""
+    if match := _FACTOR.match(text):
+        centre = _centre(field, match["centre"] or "", current)
+        factor = si_number(number_in(match["factor"], "", bare=True), "", above=1.0)
+        _positive(field, centre, text)
+        return math.log(centre), math.log(factor) / TWO_DEVIATIONS, True
+    if not (match := _DOUBT.match(text)):
+        raise InputError(
+            f"{field.name}: {shown_value(text)} is no doubt; write 'factor 5', '+- 2 %' or "
+            f"'+- 0.1{' ' if field.unit else ''}{field.unit}'"
+        )
+    centre, doubt = _centre(field, match["centre"], current), match["doubt"]
+    if doubt.endswith("%"):
+        share = number_in(doubt, "")
+        _positive(field, centre, text)
+        return math.log(centre), share, True
+    return centre, number_in(doubt, field.unit, bare=not field.unit), False
+
+
+def _centre(field: Parameter, text: str, current: float | None) -> float:
+    if text:
+        return field.read(text)
+    if current is None:
+        raise InputError(
+            f"{field.name}: the scenario has no single number there; give the centre, too, as "
+            f"in '1 {field.unit} +- 10 %'"
+        )
+    return current
+
+
+def _positive(field: Parameter, centre: float, text: str) -> None:
+    if not centre > 0.0:
+        raise InputError(
+            f"{field.name}: a factor or a share needs a value above zero (got {centre:g} "
+            f"{field.unit}, {shown_value(text)}); write '+- 0.1 {field.unit}'"
+        )
+
+
+def latent(
+    name: str, deviation: float, unit: str, *, centre: float = 0.0, flies: bool = True
+) -> Unknown:
+    """A latent of an impact."""
+    text = f"+- {deviation:.3g} {unit}".strip()
+    return Unknown(name, "latent", centre, deviation, False, unit, text, flies)
+
+
+def with_values(
+    tables: Mapping[str, Any], unknowns: Sequence[Unknown], u: Sequence[float]
+) -> dict[str, Any]:
+    """Tables of a scenario with its unknown fields at a point; latents are left out."""
+    result: Any = dict(tables)
+    for unknown, at in zip(unknowns, u, strict=True):
+        if unknown.path:
+            value = float(unknown.value(at))
+            result = with_value(result, unknown.path, value, f"{unknown.name}={value!r}")
+    return dict(result)

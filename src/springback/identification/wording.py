@@ -1,0 +1,184 @@
+"""What a fit says in sentences: learned, not learned and why, assumed, and what does not fit."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from springback.identification.estimates import FieldEstimate, correlations
+from springback.identification.fitting import ImpactFit
+from springback.identification.misfit import ChannelMisfit
+from springback.identification.pooling import DIFFERENT
+from springback.logs.recording import ARM_LENGTH, POSITION, SPECIFIC_FORCE
+
+#: Correlation from which two fields cannot be told apart, and the share of a variance that one
+#: known field has (chosen).
+BOUND_TOGETHER, INHERITED = 0.9, 0.05
+#: Samples in a contact below which they are said to be few (chosen).
+FEW_SAMPLES = 15
+#: Change that one impact alone makes, in deviations of the pooled value (chosen).
+WEIGHTY = 2.0
+
+
+def number_text(value: float, unit: str) -> str:
+    """Value with its unit, to five digits."""
+    return f"{value:.5g} {unit}".strip()
+
+
+def estimate_sentence(one: FieldEstimate) -> str:
+    """Value, interval and verdict of a field."""
+    unknown, unit = one.unknown, one.unknown.unit
+    low, high = one.percent
+    said = f"{unknown.name} = {number_text(one.value, unit)}"
+    if np.isfinite(low) and np.isfinite(high):
+        if max(-low, high) < 300.0:
+            said += f", {low:+.2g} % to {high:+.2g} %"
+        else:
+            said += f", from {number_text(one.low, unit)} to {number_text(one.high, unit)}"
+    elif one.verdict == "at least":
+        said = f"{unknown.name} is at least {number_text(one.low, unit)}"
+    elif one.verdict == "at most":
+        said = f"{unknown.name} is at most {number_text(one.high, unit)}"
+    return f"{said}: {one.verdict} ({100.0 * one.deviation:.2g} % of the doubt before)"
+
+
+def sentences(
+    fits: Sequence[ImpactFit], estimates: Sequence[FieldEstimate], tested: Sequence[ChannelMisfit]
+) -> list[str]:
+    """Warnings and reasons, most important first."""
+    return [
+        *_misfit_sentences(tested),
+        *_search_sentences(fits),
+        *(text for one in estimates if one.unknown.role == "free"
+          for text in _not_learned(one, fits)),
+        *_bound_together(fits, estimates),
+        *_scatter_sentences(fits, estimates),
+        *_inherited(fits, estimates),
+    ]  # fmt: skip
+
+
+def _misfit_sentences(tested: Sequence[ChannelMisfit]) -> list[str]:
+    found = []
+    for one in tested:
+        if not one.is_misfit:
+            continue
+        where = "in the contact" if one.part == "contact" else "over the whole window"
+        if one.probability < 1e-3:
+            size = "larger" if one.ratio > 1.0 else "smaller"
+            found.append(
+                f"misfit: residuals of {one.channel} {where} are {np.sqrt(one.ratio):.2g} times "
+                f"their noise, {size} than chance allows (p = {one.probability:.1g}); intervals "
+                "are then too narrow, and values may be wrong"
+            )
+        else:
+            found.append(
+                f"misfit: residuals of {one.channel} {where} hang together (p = "
+                f"{one.correlated:.1g}): the law or the sensor's chain is not the true one"
+            )
+    for one in tested:
+        if one.outliers and one.part == "all":
+            found.append(f"{one.outliers} samples of {one.channel} are outliers")
+    return found
+
+
+def _search_sentences(fits: Sequence[ImpactFit]) -> list[str]:
+    return [
+        f"only 1 of {fit.starts} starts ended at this optimum of {fit.name}: give more starts"
+        for fit in fits if fit.starts > 1 and fit.agreeing == 1
+    ]  # fmt: skip
+
+
+def _not_learned(one: FieldEstimate, fits: Sequence[ImpactFit]) -> list[str]:
+    if one.verdict == "learned":
+        return []
+    reasons = []
+    fit = fits[0]
+    names, matrix = correlations(fit)
+    row = np.abs(matrix[names.index(one.unknown.name)].copy())
+    row[names.index(one.unknown.name)] = 0.0
+    if row.max() > BOUND_TOGETHER:
+        other = names[int(row.argmax())]
+        reasons.append(f"it cannot be told apart from {other} (correlation {row.max():.2f})")
+    impact = fit.problem.impact
+    force, track = impact.of(SPECIFIC_FORCE), impact.of(POSITION)
+    contact = 1e3 * (impact.release - impact.touch)
+    if force is None:
+        reasons.append("no accelerometer was given")
+        if track is not None:
+            inside = (track.times >= impact.touch) & (track.times <= impact.release)
+            if inside.sum() < FEW_SAMPLES:
+                reasons.append(
+                    f"the track saw {int(inside.sum())} samples of a contact of {contact:.0f} ms"
+                )
+    if impact.of(ARM_LENGTH) is None and ".arms." in one.unknown.name:
+        reasons.append("no sensors of arm lengths were given")
+    if not reasons:
+        reasons.append("this impact hardly depends on it; springback identify plan tells of others")
+    return [f"{one.unknown.name} {one.verdict}: {'; '.join(reasons)}"]
+
+
+def _bound_together(fits: Sequence[ImpactFit], estimates: Sequence[FieldEstimate]) -> list[str]:
+    free = [one.unknown.name for one in estimates if one.unknown.role == "free"]
+    names, matrix = correlations(fits[0])
+    found = []
+    for a, first in enumerate(free):
+        for second in free[a + 1 :]:
+            rho = float(matrix[names.index(first), names.index(second)])
+            if abs(rho) > BOUND_TOGETHER:
+                found.append(
+                    f"{first} and {second} are told together only (correlation {rho:+.2f})"
+                )
+    return found
+
+
+def _scatter_sentences(fits: Sequence[ImpactFit], estimates: Sequence[FieldEstimate]) -> list[str]:
+    found = []
+    for one in estimates:
+        if one.pooled is None:
+            continue
+        told, scale = one.pooled, one.unknown.deviation
+        name, percent = one.unknown.name, one.unknown.logarithmic
+        size = 100.0 * told.scatter * scale if percent else told.scatter * scale
+        unit = "%" if percent else one.unknown.unit
+        if told.heterogeneity < DIFFERENT:
+            found.append(
+                f"{name} differs from impact to impact, by {size:.2g} {unit} (p = "
+                f"{told.heterogeneity:.1g}): pooling as if it did not would tell an interval of "
+                f"{196.0 * told.common_deviation * scale:.2g}{' %' if percent else ''} and be wrong"
+            )
+        width = max(told.high - told.low, 1e-12) / 4.0
+        shifts = [abs(value - told.value) / width for value in told.without]
+        if max(shifts) > WEIGHTY:
+            which = fits[int(np.argmax(shifts))].name
+            found.append(f"{name} hangs on one impact, {which}: see the table without each")
+    if len(fits) == 1:
+        found.append(
+            "one impact says nothing of the scatter from impact to impact: fit three or more"
+        )
+    return found
+
+
+def _inherited(fits: Sequence[ImpactFit], estimates: Sequence[FieldEstimate]) -> list[str]:
+    """Known fields that the data do not tell, and what they decide."""
+    names, matrix = correlations(fits[0])
+    found = []
+    for one in estimates:
+        if one.unknown.role != "known":
+            continue
+        row = matrix[names.index(one.unknown.name)]
+        heirs = [
+            f"{100.0 * float(row[names.index(other.unknown.name)]) ** 2:.0f} % of "
+            f"{other.unknown.name}"
+            for other in estimates
+            if other.unknown.role == "free"
+            and row[names.index(other.unknown.name)] ** 2 > INHERITED
+        ]
+        said = f"{one.unknown.name} was assumed ({one.unknown.doubt}), not measured"
+        found.append(f"{said}: it makes {', '.join(heirs)}" if heirs else said)
+    mass = [one for one in estimates if one.unknown.name.endswith("mass")]
+    if mass and any(one.unknown.unit.startswith("N") for one in estimates):
+        found.append(
+            "only stiffness and damping over mass are seen: all of them inherit the doubt of mass"
+        )
+    return found
