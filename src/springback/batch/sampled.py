@@ -88,7 +88,7 @@ def sampled_flights(
             lambda part: _fly_part(laid, part, at, first.thrusts, scale, seen), parts
         ):
             pass
-    columns = names(laid.shape.motion.state)
+    columns = tuple(names(laid.shape.motion.state))
     values = np.full((len(tables), len(at), len(columns)), np.nan)
     flown = seen.transpose(1, 3, 0, 2).reshape(-1, len(at), len(columns))
     values[numbers] = flown[: len(numbers)]

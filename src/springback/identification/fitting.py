@@ -89,7 +89,7 @@ def fit_impact(
     agreeing = int((rough.costs < cost + max(SAME, 1e-3 * cost)).sum())
     ends: dict[str, ProfileEnds] = {}
     for _ in range(3):
-        [residuals], [slopes] = jacobians(problem, point[None], np.ones(len(free), dtype=bool))
+        _, [slopes] = jacobians(problem, point[None], np.ones(len(free), dtype=bool))
         covariance = _inverse(slopes)
         if not profiles:
             break

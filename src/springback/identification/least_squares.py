@@ -20,7 +20,8 @@ Residuals = Callable[[Array], Array]
 #: to 1e-10 and more, and errors of second order are then below 1e-6).
 DIFFERENCE = 3e-4
 #: First damping, its factors, and the most that is tried (chosen).
-DAMPING, RAISED, LOWERED, MOST_DAMPING = 1e-3, 8.0, 0.2, 1e10
+DAMPING, RAISED, MOST_DAMPING = 1e-3, 8.0, 1e10
+FACTORS = (0.2, 1.0, RAISED, RAISED**3)
 #: Rounds at most; a problem is solved once twice its cost falls by less than this (chosen).
 MOST_ROUNDS, ENOUGH = 40, 1e-4
 #: A problem is given up while its cost is above the best by this after some rounds (chosen).
@@ -83,9 +84,7 @@ def solved(evaluate: Residuals, starts: Array, *, farthest: float, held: Any = N
         open_ones = np.flatnonzero(~done)
         if not len(open_ones):
             break
-        tries = np.stack(
-            [damping[open_ones] * f for f in (LOWERED, 1.0, RAISED, RAISED**3)], axis=1
-        )
+        tries = damping[open_ones, None] * np.array(FACTORS)
         asked = np.array([
             [_step(points[k], residuals[k], slopes[k], one, active, farthest) for one in row]
             for k, row in zip(open_ones, tries, strict=True)

@@ -135,7 +135,7 @@ class ImpactProblem:
 
     def flight_tables(self, u: Array) -> dict[str, Any]:
         """Scenario of the flight at a point, without avionics, as plain tables."""
-        tables = with_values(self.tables, self.fields, u[: self.count])
+        tables = with_values(self.tables, self.fields, u[: self.count].tolist())
         start = self.impact.start
         if self.slider is None:
             names = [
@@ -174,8 +174,8 @@ class ImpactProblem:
         parts = [self._channel_rows(one, samples, which, u) for one in self.readings]
         found = np.concatenate([*parts, u], axis=1)
         self._width = found.shape[1]
-        lost = np.isnan(samples.values).any(axis=(1, 2))[which]
-        found[lost] = np.nan
+        lost: Any = np.isnan(samples.values).any(axis=(1, 2))
+        found[lost[which]] = np.nan
         return found
 
     def errors(self, u: Array) -> dict[str, Array]:
@@ -217,10 +217,9 @@ class ImpactProblem:
             return between.attitudes()
         if one.quantity == ARM_LENGTH:
             width = min(one.values.shape[1], len(self.scenario.start_state().arm_length))
-            stems = [
-                [f"{name}.{j + 1}" for j in range(width)] for name in ("arm_length", "arm_rate")
-            ]
-            lengths, rates = (samples.of(*names) for names in stems)
+            arms = range(1, width + 1)
+            lengths = samples.of(*(f"arm_length.{j}" for j in arms))
+            rates = samples.of(*(f"arm_rate.{j}" for j in arms))
             free = np.array(self.scenario.vehicle.lengths())[:width]
             return between.positions(lengths - free, rates)
         place = between.positions(samples.vectors("position"), samples.vectors("velocity"))

@@ -1,6 +1,4 @@
-"""Does the model fit?  χ² of each channel, inside the contact too, and whether residuals hang
-together.
-"""
+"""Tests of a fit: χ² of each channel, inside the contact too, and of Ljung and Box."""
 
 from __future__ import annotations
 
@@ -94,4 +92,4 @@ def _ljung_box(white: Array) -> float:
         r = [float(centred[k:] @ centred[:-k]) / power for k in range(1, LAGS + 1)]
         q = count * (count + 2.0) * sum(x * x / (count - k) for k, x in enumerate(r, start=1))
         least = min(least, float(scipy.stats.chi2.sf(q, LAGS)))
-    return min(1.0, least * white.shape[1])
+    return float(min(1.0, least * white.shape[1]))

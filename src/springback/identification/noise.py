@@ -37,7 +37,7 @@ class ChannelNoise(NamedTuple):
             starts: True for samples that follow a gap, and for the first, shape (samples,).
         """
         order, count = len(self.coefficients), residuals.shape[-2]
-        lost = np.isnan(residuals).any(axis=-1)
+        lost: Any = np.isnan(residuals).any(axis=-1)
         known = np.where(lost[..., None], 0.0, residuals)
         white = known.copy()
         since = np.arange(count) - np.maximum.accumulate(np.where(starts, np.arange(count), 0))
@@ -101,4 +101,4 @@ def _yule_walker(values: Array, order: int) -> tuple[Array, float]:
     r = np.array(sums) / sums[0]
     matrix = r[np.abs(np.subtract.outer(np.arange(order), np.arange(order)))]
     phi = np.linalg.solve(matrix + 1e-9 * np.eye(order), r[1:])
-    return phi, float(1.0 - phi @ r[1:])
+    return np.asarray(phi, dtype=float), float(1.0 - phi @ r[1:])

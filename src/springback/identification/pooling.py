@@ -68,14 +68,14 @@ def pooled(values: Array, deviations: Array, *, scatter: bool = True) -> PooledV
     spread = float((weights * (values - value) ** 2).sum()) / (count - 1)
     error = float(np.sqrt(max(spread, 1.0 if tau == 0.0 else 0.0) / weights.sum()))
     half = float(scipy.stats.t.ppf(_HIGH, count - 1)) * error
-    without = []
+    left_out = list[float]()
     for k in range(count):
         rest, theirs = np.delete(values, k), np.delete(variances, k)
         left = _scatter(rest, theirs)[0] if len(rest) > 1 else tau
-        without.append(_mean(rest, 1.0 / (theirs + left**2)))
+        left_out.append(_mean(rest, 1.0 / (theirs + left**2)))
     return PooledValue(
         value, value - half, value + half, tau, high, heterogeneity, common, common_deviation,
-        tuple(without),
+        tuple(left_out),
     )  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""Files of a fit: values with their doubt as an overlay of scenarios, and draws of the posterior."""
+"""Files of a fit: an overlay of scenarios with values and doubts, and draws of the posterior."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ def write_files(result: FitResult, folder: Path) -> list[Path]:
     """Write the overlay, the posterior and all numbers of a fit; the paths."""
     paths = [folder / name for name in (IDENTIFIED, POSTERIOR, SUMMARY)]
     paths[0].write_text(overlay_text(result), encoding="utf-8")
-    fields = [one for one in result.estimates]
+    fields = result.estimates
     columns = dict(zip((one.unknown.name for one in fields), draws(result).T, strict=True))
     units = {one.unknown.name: one.unknown.unit for one in fields}
     about = {"name": result.plan.name, "draws": f"{DRAWS} draws, of a next impact"}

@@ -10,13 +10,12 @@ import click
 
 from springback.interfaces.cli.common import Output, output_options
 from springback.interfaces.cli.completion import ScenarioPath
-from springback.interfaces.cli.identify.logs import identify
 
 if TYPE_CHECKING:
     from springback.identification.fits import FitResult
 
 
-@identify.command()
+@click.command()
 @click.argument("plan", type=ScenarioPath())
 @click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
 @output_options("Folder for identified.toml, posterior.parquet, fit.json and the report.")
