@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 import scipy  # submodules are loaded on first use
 
-from springback.identification.fitting import ImpactFit, ProfileEnds
+from springback.identification.fitting import ImpactFit
 from springback.identification.pooling import PooledValue, pooled
 from springback.identification.unknowns import Unknown
 from springback.logs.recording import Array
@@ -70,33 +70,33 @@ def _estimate(unknown: Unknown, fits: Sequence[ImpactFit], scatter: bool) -> Fie
     points = np.array([fit.point[k] for fit, k in zip(fits, places, strict=True)])
     deviations = np.array([fit.deviation(unknown.name) for fit in fits])
     if len(fits) == 1:
-        ends = fits[0].profiles.get(unknown.name)
-        if ends is None:
-            reach = _HALF * deviations[0]
-            ends = ProfileEnds(float(points[0] - reach), float(points[0] + reach))
-        low, high = _ends(unknown, ends)
         deviation = float(deviations[0])
-        return FieldEstimate(unknown, float(unknown.value(points[0])), low, high, deviation, None)
+        profile = fits[0].profiles.get(unknown.name)
+        reach = _HALF * deviation
+        low, high = float(points[0]) - reach, float(points[0]) + reach
+        if profile is not None:
+            low, high = profile.low, profile.high
+        value = float(unknown.value(points[0]))
+        return FieldEstimate(unknown, value, *_ends(unknown, low, high), deviation, None)
     if unknown.role == "known":  # the same doubt in every impact, not an independent one
         mean, deviation = float(points.mean()), float(deviations.min())
-        ends = ProfileEnds(mean - _HALF * deviation, mean + _HALF * deviation)
+        reach = _HALF * deviation
         return FieldEstimate(
-            unknown, float(unknown.value(mean)), *_ends(unknown, ends), deviation, None
-        )
+            unknown, float(unknown.value(mean)), *_ends(unknown, mean - reach, mean + reach),
+            deviation, None,
+        )  # fmt: skip
     # The prior is in every fit: it is taken out of all but one before they are pooled.
     told = np.maximum(1.0 / deviations**2 - 1.0, 1e-6)
     alone = points / deviations**2 / told
     together = pooled(alone, told**-0.5, scatter=scatter)
-    ends = ProfileEnds(together.low, together.high)
     deviation = (together.high - together.low) / (2.0 * _HALF)
-    return FieldEstimate(
-        unknown, float(unknown.value(together.value)), *_ends(unknown, ends), deviation, together
-    )
+    ends = _ends(unknown, together.low, together.high)
+    return FieldEstimate(unknown, float(unknown.value(together.value)), *ends, deviation, together)
 
 
-def _ends(unknown: Unknown, ends: ProfileEnds) -> tuple[float, float]:
-    low = float(unknown.value(ends.low)) if np.isfinite(ends.low) else -np.inf
-    return low, float(unknown.value(ends.high)) if np.isfinite(ends.high) else np.inf
+def _ends(unknown: Unknown, low: float, high: float) -> tuple[float, float]:
+    below = float(unknown.value(low)) if np.isfinite(low) else -np.inf
+    return below, float(unknown.value(high)) if np.isfinite(high) else np.inf
 
 
 def correlations(fit: ImpactFit) -> tuple[list[str], Array]:

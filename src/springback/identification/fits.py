@@ -87,6 +87,8 @@ def read_flights(plan: FitPlan, folder: Path) -> list[ReadFlight]:
     Raises:
         InputError: If a log cannot be read, or if no impact can be used, with all reasons.
     """
+    if not plan.flights:
+        raise InputError('flights: is missing: the logs to fit, as logs = ["flight.ulg"]')
     _, tables = base_scenario(plan, folder)
     flights = [_read_flight(plan, one, tables, folder) for one in plan.flights]
     if not any(flight.impacts for flight in flights):

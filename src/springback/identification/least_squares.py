@@ -62,31 +62,47 @@ def jacobians(evaluate: Residuals, points: Array, active: Any) -> tuple[Array, A
     return found[:, 0], slopes
 
 
-def solved(evaluate: Residuals, starts: Array, *, farthest: float, held: Any = None) -> Solution:
-    """Solve problems that differ in where they start.
+def solved(
+    evaluate: Residuals,
+    starts: Array,
+    *,
+    farthest: float,
+    held: Any = None,
+    rounds: int = MOST_ROUNDS,
+    enough: float = ENOUGH,
+    damping: float = DAMPING,
+    together: bool = True,
+) -> Solution:
+    """Solve problems that differ in where they start and in what is held.
 
     Args:
         evaluate: The residuals.
         starts: Shape (problems, numbers).
         farthest: Bound of the magnitude of each number.
-        held: Numbers that do not move, shape (numbers,); None: all move.
+        held: True for numbers that do not move, shape (numbers,) or (problems, numbers); None: all
+            move.
+        rounds: Most rounds.
+        enough: A problem is solved once its cost falls by less than this in a round.
+        damping: First damping.
+        together: True if all seek the same optimum: those far above the best are given up.
     """
     points = np.clip(np.array(starts, dtype=float), -farthest, farthest)
     problems, numbers = points.shape
-    active = np.ones(numbers, dtype=bool) if held is None else ~np.asarray(held, dtype=bool)
-    damping = np.full(problems, DAMPING)
-    residuals, slopes = jacobians(evaluate, points, active)
+    kept = np.zeros(numbers, dtype=bool) if held is None else np.asarray(held, dtype=bool)
+    active = np.broadcast_to(~kept, points.shape)
+    dampings = np.full(problems, damping)
+    residuals, slopes = jacobians(evaluate, points, active.any(axis=0))
     costs = _costs(residuals)
     done = ~np.isfinite(costs)
-    for turn in range(MOST_ROUNDS):
-        if turn >= PATIENT_ROUNDS:
+    for turn in range(rounds):
+        if together and turn >= PATIENT_ROUNDS:
             done |= costs > costs.min() + HOPELESS
         open_ones = np.flatnonzero(~done)
         if not len(open_ones):
             break
-        tries = damping[open_ones, None] * np.array(FACTORS)
+        tries = dampings[open_ones, None] * np.array(FACTORS)
         asked = np.array([
-            [_step(points[k], residuals[k], slopes[k], one, active, farthest) for one in row]
+            [_step(points[k], residuals[k], slopes[k], one, active[k], farthest) for one in row]
             for k, row in zip(open_ones, tries, strict=True)
         ])  # fmt: skip
         found = evaluate(asked.reshape(-1, numbers)).reshape(*asked.shape[:2], -1)
@@ -97,14 +113,16 @@ def solved(evaluate: Residuals, starts: Array, *, farthest: float, held: Any = N
             gain = costs[k] - there[row, best]
             if gain > 0.0:
                 points[k], costs[k] = asked[row, best], there[row, best]
-                residuals[k], damping[k] = found[row, best], max(tries[row, best], 1e-12)
+                residuals[k], dampings[k] = found[row, best], max(tries[row, best], 1e-12)
                 moved.append(k)
             else:
-                damping[k] = tries[row, -1] * RAISED
-            done[k] = (0.0 <= gain < ENOUGH) or damping[k] > MOST_DAMPING
+                dampings[k] = tries[row, -1] * RAISED
+            done[k] = (0.0 <= gain < enough) or dampings[k] > MOST_DAMPING
         again = [k for k in moved if not done[k]]
-        if again:
-            residuals[again], slopes[again] = jacobians(evaluate, points[again], active)
+        if again and turn + 1 < rounds:
+            residuals[again], slopes[again] = jacobians(
+                evaluate, points[again], active[again].any(axis=0)
+            )
     return Solution(points, costs, residuals, slopes, done & np.isfinite(costs))
 
 

@@ -180,7 +180,7 @@ def _window(plan: FitPlan, used: Sequence[_Found], impact: LogImpact) -> tuple[f
     """Start and end of the part that is fitted [s], the start at a sample of the first channel."""
     contact = max(impact.release - impact.touch, 1e-3)
     after = plan.window.after
-    end = impact.release + (max(3.0 * contact, 0.1) if after is None else after)
+    end = impact.release + (max(3.0 * contact, 0.15) if after is None else after)
     first = used[0].channel.times + used[0].shift
     begin = max(impact.touch - plan.window.before, *(
         float(one.channel.times[0] + one.shift) for one in used

@@ -108,7 +108,7 @@ class WindowFit(Settings):
     before: Duration = 0.3
     """Time before touch."""
     after: Duration | None = None
-    """Time after release; by default three times the contact, and 0.1 s at least."""
+    """Time after release; by default three times the contact, and 0.15 s at least."""
 
 
 class LoggedFlight(Settings):
@@ -129,13 +129,38 @@ class LoggedFlight(Settings):
     """Overrides of the scenario for this flight, such as ``start.velocity.0=2``."""
 
 
+class OtherTest(Settings):
+    """A test that could be flown next."""
+
+    name: Name
+    change: tuple[str, ...]
+    """Overrides of the scenario, such as ``world.obstacles.0.distance=2``."""
+
+
+SensorName = Literal["imu", "motion-capture", "arm-length"]
+
+
+class TestsFit(Settings):
+    """Tests among which `springback identify plan` chooses: all of these combined, and others."""
+
+    speeds: tuple[Annotated[float, Unit("m/s", above=0.0)], ...] = (1.0, 2.0, 3.5)
+    pitches: tuple[Annotated[float, Unit("rad")], ...] = (0.0, 0.2617993877991494)
+    """Of the start, nose down; none on a slider."""
+    yaws: tuple[Annotated[float, Unit("rad")], ...] = (0.0, 0.7853981633974483)
+    others: tuple[OtherTest, ...] = ()
+    sensors: tuple[SensorName, ...] = ("imu", "motion-capture")
+    """Those that record, as the scenario's ``sensors`` are."""
+    count: Annotated[int, Field(ge=1, le=20, strict=True)] = 3
+    """Tests to be chosen, one after another."""
+
+
 class FitPlan(Settings):
     """Plan of a fit."""
 
     name: Name = "fit"
     scenario: str
     """Path of the scenario: vehicle, obstacle hit, sensors; its start is where logs tell none."""
-    flights: Annotated[tuple[LoggedFlight, ...], Field(min_length=1)]
+    flights: tuple[LoggedFlight, ...] = ()
     free: dict[str, str]
     """Fields to be fitted, each with its doubt: ``factor 5``, ``+- 20 %``, ``+- 5 deg``,
     ``5 N/mm factor 3``."""
@@ -147,6 +172,7 @@ class FitPlan(Settings):
     thrust: Annotated[float, Unit("", above=0.0)] = 0.05
     """Standard deviation of the factor of all thrusts (chosen)."""
     window: WindowFit = WindowFit()
+    tests: TestsFit = TestsFit()
     scatter: Literal["impact", "none"] = "impact"
     """``impact``: what is fitted may differ from impact to impact; ``none``: it may not."""
     starts: Annotated[int, Field(ge=1, le=64, strict=True)] = 8

@@ -24,7 +24,8 @@ from springback.interfaces.cli.common import say
 from springback.interfaces.cli.envelope import map_command
 from springback.interfaces.cli.examples import examples, new
 from springback.interfaces.cli.fly import fly
-from springback.interfaces.cli.identify.fitting import fit
+from springback.interfaces.cli.identify.fitting import check as check_intervals
+from springback.interfaces.cli.identify.fitting import fit, plan_tests
 from springback.interfaces.cli.identify.logs import identify
 from springback.interfaces.cli.lab import lab
 from springback.interfaces.cli.reproduce import reproduce
@@ -50,7 +51,7 @@ for command in (
     animate, lab, map_command, study, trust, view, world, identify,
 ):  # fmt: skip
     cli.add_command(command)
-for command in (fit,):
+for command in (fit, check_intervals, plan_tests):
     identify.add_command(command)
 
 

@@ -1,4 +1,4 @@
-"""The command ``springback identify fit``."""
+"""The commands ``springback identify fit``, ``check`` and ``plan``."""
 
 from __future__ import annotations
 
@@ -8,11 +8,16 @@ from typing import TYPE_CHECKING
 
 import click
 
-from springback.interfaces.cli.common import Output, output_options
+from springback.interfaces.cli.common import Output, Terminal, output_options, terminal_options
 from springback.interfaces.cli.completion import ScenarioPath
 
 if TYPE_CHECKING:
+    from springback.identification.adviser import Advice
+    from springback.identification.coverage import Coverage
     from springback.identification.fits import FitResult
+
+#: Cover of a 95 % interval below which it is too narrow.
+LEAST = 0.9
 
 
 @click.command()
@@ -65,4 +70,105 @@ def fit_text(result: FitResult) -> str:
     seconds = sum(fit.seconds for fit in result.fits)
     flights = sum(fit.problem.flown for fit in result.fits)
     lines += ["", f"{flights} flights in {seconds:.1f} s"]
+    return "\n".join(lines)
+
+
+@click.command()
+@click.argument("plan", type=ScenarioPath())
+@click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
+@click.option("--sets", type=click.IntRange(10, 10_000), default=200, show_default=True,
+              help="Synthetic sets.")  # fmt: skip
+@terminal_options("as_json", "quiet")
+def check(plan: Path, overrides: tuple[str, ...], sets: int, terminal: Terminal) -> None:
+    """Do the intervals of a PLAN cover?  Synthetic flights through its scenario's sensors, fitted.
+
+    The scenario's numbers are the truth, and the plan's priors are displaced as often as they say.
+    The exit code is 1 if an interval covers less than it should.
+
+    \b
+    springback identify check fit.toml
+    springback identify check fit.toml --sets 1000 --json
+    """
+    from springback.identification.coverage import check_coverage
+    from springback.identification.settings import read_fit_plan
+
+    ready = read_fit_plan(plan, overrides)
+    with terminal.progress_bar("flying and fitting synthetic sets") as progress:
+        found = check_coverage(ready, plan.parent, sets=sets, progress=progress)
+    data = found._asdict() | {
+        "fields": [one._asdict() | {"share": one.share} for one in found.fields]
+    }
+    terminal.print(data, coverage_text(found))
+    if any(one.high < LEAST for one in found.fields):
+        sys.exit(1)
+
+
+def coverage_text(found: Coverage) -> str:
+    """Coverage on the terminal."""
+    lines = [f"{found.sets} synthetic sets, 95 % intervals:"]
+    for one in found.fields:
+        half = f"{100.0 * one.half_width:.2g} %" if one.relative else (
+            f"{one.half_width:.2g} {one.unit}".strip()
+        )  # fmt: skip
+        lines.append(
+            f"  {one.name}: {100.0 * one.share:.1f} % have the truth ({100.0 * one.low:.0f} to "
+            f"{100.0 * one.high:.0f} %), half width {half}, median error {one.bias:+.2f} standard "
+            f"errors, scatter {one.spread:.2f} of what is told"
+        )
+    lines.append(
+        f"  a misfit was told in {found.alarms} sets, wrongly: {found.alarms / found.sets:.1%}"
+    )
+    lines += [f"  {len(found.failed)} sets could not be fitted, as: {found.failed[0]}"
+              ] if found.failed else []  # fmt: skip
+    lines.append(f"  {found.seconds / found.sets:.1f} s for each fit")
+    return "\n".join(lines)
+
+
+@click.command("plan")
+@click.argument("plan", type=ScenarioPath())
+@click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
+@terminal_options("as_json", "quiet")
+def plan_tests(plan: Path, overrides: tuple[str, ...], terminal: Terminal) -> None:
+    """Which impact to fly next for a PLAN: the tests that tell most of its free fields.
+
+    Candidates are the plan's ``tests``: speeds, pitches and yaws of the scenario's start, and
+    others; logs that the plan has are fitted first, and count.
+
+    \b
+    springback identify plan fit.toml
+    springback identify plan fit.toml tests.speeds='["1 m/s", "3 m/s"]' tests.count=2
+    """
+    from springback.identification.adviser import advise
+    from springback.identification.fits import fit as carry_out
+    from springback.identification.settings import read_fit_plan
+
+    ready = read_fit_plan(plan, overrides)
+    with terminal.progress_bar("weighing tests") as progress:
+        fits = carry_out(ready, plan.parent).fits if ready.flights else ()
+        advice = advise(ready, plan.parent, fits=fits, progress=progress)
+    data = advice._asdict() | {
+        "fields": [one.name for one in advice.fields], "sentence": advice.sentence,
+        "chosen": [one._asdict() for one in advice.chosen],
+    }  # fmt: skip
+    terminal.print(data, advice_text(advice))
+    if not advice.chosen:
+        sys.exit(1)
+
+
+def advice_text(advice: Advice) -> str:
+    """Advice on the terminal: half widths of 95 % intervals."""
+    from springback.identification.adviser import width_text
+
+    def row(name: str, widths: tuple[float, ...]) -> list[str]:
+        return [name, *(width_text(f, w) for f, w in zip(advice.fields, widths, strict=True))]
+
+    rows = [["half widths", *(one.name for one in advice.fields)], row("now", advice.before)]
+    rows += [row(f"with {name}", widths) for name, widths in advice.alone]
+    rows += [row(f"{k}. {one.name}", one.half_widths)
+             for k, one in enumerate(advice.chosen, start=1)]  # fmt: skip
+    width = max(len(one[0]) for one in rows)
+    lines = [advice.sentence, "", f"{'':{width}}  " + ", ".join(rows[0][1:])]
+    lines += [f"{one[0]:{width}}  " + "  ".join(f"{cell:>9}" for cell in one[1:])
+              for one in rows[1:]]  # fmt: skip
+    lines += [f"cannot be flown: {name}: {why}" for name, why in advice.refused]
     return "\n".join(lines)

@@ -1,0 +1,267 @@
+"""Which impact to fly next: the one that tells most of what is free (Fisher information).
+
+The likelihood of each candidate is that of a fit, with the scenario's sensors; its latents are
+taken out, what is left is information about the fields, and tests are chosen one after another for
+the smallest volume of doubt (D-optimal; Fedorov, Theory of Optimal Experiments, 1972).
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+import scipy  # submodules are loaded on first use
+
+from springback.errors import InputError
+from springback.identification.fits import base_scenario, fields_of_plan
+from springback.identification.fitting import ImpactFit
+from springback.identification.least_squares import jacobians
+from springback.identification.likelihood import ImpactProblem
+from springback.identification.noise import ChannelNoise, white_noise
+from springback.identification.readings import FLOORS, ImpactReadings, Reading
+from springback.identification.settings import FitPlan
+from springback.identification.starts import StartGuess
+from springback.identification.unknowns import Unknown
+from springback.logs.recording import (
+    ANGULAR_VELOCITY,
+    ARM_LENGTH,
+    ATTITUDE,
+    POSITION,
+    SPECIFIC_FORCE,
+    Array,
+    SensorChain,
+)
+from springback.progress import Progress, silent
+from springback.scenario.overrides import apply_overrides
+from springback.scenario.scenario import Scenario, scenario_from
+
+#: Time after touch that a test records [s] (chosen).
+AFTER = 0.2
+_HALF = float(scipy.stats.norm.ppf(0.975))
+
+
+class CandidateTest(NamedTuple):
+    """A test that could be flown."""
+
+    name: str
+    information: Array  # about the fields, in u, shape (fields, fields)
+    problem: str  # why it cannot be flown; empty if it can
+
+
+class ChosenTest(NamedTuple):
+    """A test that was chosen, and what is known after it."""
+
+    name: str
+    half_widths: tuple[float, ...]  # of 95 % intervals of the free fields, relative or SI
+    gain: float  # of ln of the volume of doubt
+
+
+class Advice(NamedTuple):
+    """Which tests to fly."""
+
+    fields: tuple[Unknown, ...]  # free ones
+    before: tuple[float, ...]  # half widths now
+    alone: tuple[tuple[str, tuple[float, ...]], ...]  # of each candidate, half widths after it
+    chosen: tuple[ChosenTest, ...]
+    refused: tuple[tuple[str, str], ...]  # candidates that cannot be flown, and why
+
+    @property
+    def sentence(self) -> str:
+        """What to fly next, and what it changes most."""
+        if not self.chosen:
+            return "no test can be flown: " + "; ".join(f"{a}: {b}" for a, b in self.refused)
+        best = self.chosen[0]
+        ratio = [b / a for a, b in zip(best.half_widths, self.before, strict=True)]
+        k = int(np.argmax(ratio))
+        field = self.fields[k]
+        return (
+            f"next best: {best.name}: {field.name} from ± {width_text(field, self.before[k])} to "
+            f"± {width_text(field, best.half_widths[k])}"
+        )
+
+
+def width_text(field: Unknown, half_width: float) -> str:
+    """Half a width in words."""
+    if field.logarithmic:
+        return f"{100.0 * half_width:.2g} %"
+    return f"{half_width:.2g} {field.unit}".strip()
+
+
+def advise(
+    plan: FitPlan,
+    folder: str | Path = ".",
+    *,
+    fits: Sequence[ImpactFit] = (),
+    progress: Progress = silent,
+) -> Advice:
+    """Tests that tell most.
+
+    Args:
+        plan: Of the fit; its ``tests`` are the candidates.
+        folder: That its paths are relative to.
+        fits: Of impacts that were flown already.
+        progress: Called from time to time with the share done.
+
+    Raises:
+        InputError: If the scenario cannot be used.
+    """
+    scenario, tables = base_scenario(plan, Path(folder))
+    fields = fields_of_plan(plan, scenario)
+    given = _candidates(plan, scenario)
+    found = []
+    for k, (name, change) in enumerate(given):
+        found.append(_candidate(plan, tables, fields, name, change))
+        progress((k + 1) / len(given))
+    known = np.eye(len(fields)) + sum(
+        (_told_by(fit, len(fields)) for fit in fits), np.zeros((len(fields), len(fields)))
+    )
+    free = np.array([one.role == "free" for one in fields])
+    usable = [one for one in found if not one.problem]
+    chosen: list[ChosenTest] = []
+    total = known
+    for _ in range(plan.tests.count if usable else 0):
+        volumes = [_volume(total + one.information, free) for one in usable]
+        best = usable[int(np.argmin(volumes))]
+        gain = _volume(total, free) - min(volumes)
+        total = total + best.information
+        chosen.append(ChosenTest(best.name, _half_widths(fields, total), gain))
+    alone = [(one.name, _half_widths(fields, known + one.information)) for one in usable]
+    return Advice(
+        tuple(one for one in fields if one.role == "free"),
+        _half_widths(fields, known),
+        tuple(alone),
+        tuple(chosen),
+        tuple((one.name, one.problem) for one in found if one.problem),
+    )
+
+
+def _candidates(plan: FitPlan, scenario: Scenario) -> list[tuple[str, list[str]]]:
+    """Names and overrides of all candidates."""
+    tests, found = plan.tests, list[tuple[str, list[str]]]()
+    velocity = np.array(scenario.start.velocity)
+    speed = float(np.linalg.norm(velocity))
+    if speed > 0.0:
+        on_slider = scenario.model.slider is not None
+        pitches, yaws = ((0.0,), (0.0,)) if on_slider else (tests.pitches, tests.yaws)
+        for fast, pitch, yaw in itertools.product(tests.speeds, pitches, yaws):
+            turned = "" if on_slider else (
+                f", pitch {math.degrees(pitch):g} deg, yaw {math.degrees(yaw):g} deg"
+            )  # fmt: skip
+            change = [f"start.velocity={(velocity * fast / speed).tolist()}"]
+            if not on_slider:
+                change += [f"start.pitch={pitch!r}", f"start.yaw={yaw!r}"]
+            distance = fast * plan.window.before
+            found.append((f"{fast:g} m/s{turned}", [*change, f"start.touch_distance={distance!r}"]))
+    found += [(one.name, list(one.change)) for one in tests.others]
+    if not found:
+        raise InputError(
+            "tests: there is none: the scenario's start.velocity is zero, and tests.others is empty"
+        )
+    return found
+
+
+def _candidate(
+    plan: FitPlan, tables: dict[str, Any], fields: Sequence[Unknown], name: str, change: list[str]
+) -> CandidateTest:
+    size = len(fields)
+    try:
+        changed = apply_overrides(tables, change)
+        scenario = scenario_from(changed)
+        impact = planned_readings(plan, scenario, name)
+        problem = ImpactProblem(plan, scenario, changed, fields, impact)
+        middle = np.zeros(len(problem.unknowns))
+        told = problem.predictions(middle)
+        readings = tuple(one._replace(values=told[one.name]) for one in problem.readings)
+        problem.readings = list(readings)
+        _, [slopes] = jacobians(problem, middle[None], np.ones(len(middle), dtype=bool))
+    except InputError as error:
+        return CandidateTest(name, np.zeros((size, size)), "; ".join(error.problems))
+    return CandidateTest(name, _about_fields(slopes.T @ slopes, size), "")
+
+
+def _about_fields(square: Array, size: int) -> Array:
+    """Information about the fields, the latents taken out, without the fields' own priors."""
+    fields, across, latents = square[:size, :size], square[:size, size:], square[size:, size:]
+    told = fields - across @ np.linalg.solve(latents, across.T) - np.eye(size)
+    return 0.5 * (told + told.T)
+
+
+def _told_by(fit: ImpactFit, size: int) -> Array:
+    return _about_fields(fit.jacobian.T @ fit.jacobian, size)
+
+
+def _volume(information: Array, free: Any) -> float:
+    """Logarithm of the volume of doubt of the free fields, the known ones taken out."""
+    covariance = np.linalg.inv(information)[np.ix_(free, free)]
+    return 0.5 * float(np.linalg.slogdet(covariance)[1])
+
+
+def _half_widths(fields: Sequence[Unknown], information: Array) -> tuple[float, ...]:
+    deviations = np.sqrt(np.diag(np.linalg.inv(information)))
+    return tuple(
+        float(_HALF * one.deviation * sigma)
+        for one, sigma in zip(fields, deviations, strict=True) if one.role == "free"
+    )  # fmt: skip
+
+
+def planned_readings(plan: FitPlan, scenario: Scenario, name: str) -> ImpactReadings:
+    """Readings, without values yet, that the scenario's sensors would make of a test.
+
+    Args:
+        plan: Of the fit.
+        scenario: Of the test; it begins ``window.before`` before touch.
+        name: Of the test.
+    """
+    sensors, before = scenario.sensors, plan.window.before
+    until = before + (AFTER if plan.window.after is None else plan.window.after + 0.05)
+    readings: list[Reading] = []
+
+    def add(quantity: str, rate: float, noise: ChannelNoise, other: bool, width: int) -> None:
+        times = np.arange(0.0, until, 1.0 / rate)
+        starts = np.arange(len(times)) == 0
+        values, chain = np.zeros((len(times), width)), SensorChain()
+        readings.append(Reading(quantity, quantity, times, values, noise, starts, chain, other))
+
+    if "imu" in plan.tests.sensors:
+        imu = sensors.imu
+        rate = scenario.clock if imu.perfect else imu.rate
+        for quantity, part, given in (
+            (SPECIFIC_FORCE, imu.accelerometer, plan.sensors.accelerometer.noise),
+            (ANGULAR_VELOCITY, imu.gyroscope, plan.sensors.gyroscope.noise),
+        ):
+            deviation = part.noise * math.sqrt(0.5 * scenario.clock)
+            share = -math.expm1(-2.0 * math.pi * part.bandwidth / scenario.clock)
+            noise = _filtered_noise(deviation, share, FLOORS[quantity])
+            noise = noise if given is None else white_noise(given, 3)
+            add(quantity, rate, noise, False, 3)
+    if "motion-capture" in plan.tests.sensors:
+        capture, told = sensors.motion_capture, plan.sensors.motion_capture
+        rate = scenario.clock if capture.perfect else capture.rate
+        for quantity, noise_of, given, width in (
+            (POSITION, capture.position_noise, told.noise, 3),
+            (ATTITUDE, capture.attitude_noise, told.attitude_noise, 4),
+        ):
+            deviation = given or max(noise_of, FLOORS[quantity])
+            add(quantity, rate, white_noise(deviation, 3), "imu" in plan.tests.sensors, width)
+    if "arm-length" in plan.tests.sensors:
+        deviation = plan.sensors.arm_length.noise or FLOORS[ARM_LENGTH]
+        rate = scenario.clock if sensors.hall.perfect else sensors.hall.rate
+        add(ARM_LENGTH, rate, white_noise(deviation, 1), False, scenario.vehicle.arm_count)
+    state = scenario.start_state()
+    guess = StartGuess(
+        np.array(state.position), np.array(state.velocity), np.array(state.attitude),
+        np.array(state.angular_velocity), "motion-capture" in plan.tests.sensors,
+    )  # fmt: skip
+    doubt = plan.clocks.doubt
+    return ImpactReadings(name, before, until, until, guess, tuple(readings), doubt, None)
+
+
+def _filtered_noise(deviation: float, share: float, floor: float) -> ChannelNoise:
+    """White noise of a converter behind a first-order low-pass, which is autoregressive."""
+    inner = max(share * deviation, floor)
+    stationary = inner / math.sqrt(1.0 - (1.0 - share) ** 2)
+    return ChannelNoise(np.array([1.0 - share]), np.full(3, inner), np.full(3, stationary))
