@@ -77,7 +77,11 @@ def fit_impact(
         )
     best = int(np.argmin(rough.costs))
     point, cost = rough.points[best], float(rough.costs[best])
-    agreeing = int((rough.costs < cost + max(SAME, 1e-3 * cost)).sum())
+    problem.refine_noise(point)
+    again = solved(problem, point[None], farthest=FARTHEST)
+    point, cost = again.points[0], float(again.costs[0])
+    least = float(rough.costs[best])
+    agreeing = int((rough.costs < least + max(SAME, 1e-3 * least)).sum())
     found: dict[str, Profile] = {}
     for _ in range(3):
         _, [slopes] = jacobians(problem, point[None], np.ones(len(free), dtype=bool))

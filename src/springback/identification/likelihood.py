@@ -10,7 +10,7 @@ import numpy as np
 from springback.batch.sampled import StateSamples, sampled_flights
 from springback.errors import InputError
 from springback.identification.noise import STUDENT
-from springback.identification.readings import ImpactReadings, Reading
+from springback.identification.readings import CLEAR, ImpactReadings, Reading
 from springback.identification.sensor_chain import (
     ChannelChain,
     Interpolator,
@@ -38,6 +38,9 @@ from springback.sensing.hall import HallSensors, slope
 STUDENT_SCALE = 0.8977
 #: Factor of the start's doubts where no track tells them (chosen).
 UNTRACKED = 3.0
+#: Time after release from which residuals tell of noise [s], and deviations beyond which a sample
+#: is an outlier (chosen).
+SETTLED, OUTLIER = 0.02, 5.0
 _AXES = "xyz"
 
 
@@ -177,6 +180,16 @@ class ImpactProblem:
         lost: Any = np.isnan(samples.values).any(axis=(1, 2))
         found[lost[which]] = np.nan
         return found
+
+    def refine_noise(self, u: Array) -> None:
+        """Estimate noise again, by the residuals outside the contact at a point, too."""
+        errors, impact, better = self.errors(u), self.impact, list[Reading]()
+        for one in self.readings:
+            white = errors[one.name]
+            outside = (one.times < impact.touch - CLEAR) | (one.times > impact.release + SETTLED)
+            outside &= (np.abs(white) < OUTLIER).all(axis=1) & (white != 0.0).any(axis=1)
+            better.append(one._replace(noise=one.noise.refined(white[outside])))
+        self.readings = better
 
     def errors(self, u: Array) -> dict[str, Array]:
         """Whitened residuals of each channel at a point, before Student's t, by its name."""

@@ -8,6 +8,7 @@ import numpy as np
 import scipy  # submodules are loaded on first use
 
 from springback.identification.fitting import ImpactFit
+from springback.identification.likelihood import OUTLIER
 from springback.identification.readings import Reading
 from springback.logs.recording import Array
 
@@ -16,8 +17,6 @@ from springback.logs.recording import Array
 UNLIKELY = 1e-3
 #: Lags of the test of Ljung and Box (chosen).
 LAGS = 8
-#: Deviations beyond which a sample of a track counts as an outlier (chosen).
-OUTLIER = 5.0
 
 
 class ChannelMisfit(NamedTuple):
@@ -74,7 +73,7 @@ def _tested(impact: str, reading: Reading, part: str, white: Array, share: float
     is_guess = not np.isfinite(reading.noise.freedom)  # of what devices resolve: an upper bound
     probability = above if is_guess else 2.0 * min(float(law.cdf(ratio)), above)
     correlated = np.nan
-    if part == "contact" and len(kept) > 2 * LAGS:
+    if part == "contact" and len(kept) > 2 * LAGS and not is_guess:
         correlated = _ljung_box(kept)
     return ChannelMisfit(
         impact, reading.name, part, len(kept), ratio, min(probability, 1.0), correlated, outliers

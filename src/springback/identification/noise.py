@@ -29,6 +29,20 @@ class ChannelNoise(NamedTuple):
     freedom: float = np.inf
     """Degrees of freedom of its estimate; infinite if it was given."""
 
+    def refined(self, white: Array) -> ChannelNoise:
+        """The noise with further residuals, by which few samples before touch are not alone.
+
+        Args:
+            white: Whitened residuals of a fit, each of deviation 1 if the noise is right.
+        """
+        if not np.isfinite(self.freedom):
+            return self
+        total = self.freedom + white.size
+        scale = np.sqrt((self.freedom + float((white**2).sum())) / total)
+        return ChannelNoise(
+            self.coefficients, scale * self.innovation, scale * self.stationary, total
+        )
+
     def whitened(self, residuals: Array, starts: Array) -> Array:
         """Residuals as independent numbers of standard deviation 1.
 
@@ -59,7 +73,8 @@ def estimated_noise(times: Array, values: Array, floor: float) -> ChannelNoise:
     """Noise about a smooth motion.
 
     A cubic polynomial is taken for the motion; the order of the autoregression is that of the least
-    information criterion (Akaike 1974), its coefficients are common to all numbers.
+    information criterion (Schwarz, Annals of Statistics 6, 1978), its coefficients are common to
+    all numbers.
 
     Args:
         times: Before touch [s], shape (samples,).
@@ -85,8 +100,8 @@ def estimated_noise(times: Array, values: Array, floor: float) -> ChannelNoise:
     samples = scaled.size
     for order in range(1, HIGHEST_ORDER + 1):
         phi, share = _yule_walker(scaled, order)
-        score = samples * np.log(max(share, 1e-12)) + 2.0 * order
-        if score < least - 2.0:
+        score = samples * np.log(max(share, 1e-12)) + order * np.log(samples)
+        if score < least:
             best, least = (phi, share), score
     phi, share = best
     innovation = np.maximum(sigma * np.sqrt(max(share, 1e-12)), 1e-3 * floor)

@@ -117,7 +117,7 @@ def profiled(
             rise = max(float(found.costs[row]) - cost, 0.0)
             if np.isfinite(rise):
                 told[end.place].append((float(starts[row, end.place]), rise))
-                ways[k] = end.sign * (found.points[row] - point) / end.reach
+                ways[k] = end.sign * (found.points[row] - point) / max(end.reach, 1e-12)
             end.learn(float(np.sqrt(max(rise, 1e-12))))
     return _profiles(evaluate, point, ends, told), None
 
