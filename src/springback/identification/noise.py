@@ -114,6 +114,7 @@ def _yule_walker(values: Array, order: int) -> tuple[Array, float]:
     count = len(values)
     sums = [float((values[k:] * values[: count - k]).sum()) for k in range(order + 1)]
     r = np.array(sums) / sums[0]
+    r[1:] += (DEGREE + 1) / count  # what the polynomial, taken out, leaves of white noise
     matrix = r[np.abs(np.subtract.outer(np.arange(order), np.arange(order)))]
     phi = np.linalg.solve(matrix + 1e-9 * np.eye(order), r[1:])
     return np.asarray(phi, dtype=float), float(1.0 - phi @ r[1:])
