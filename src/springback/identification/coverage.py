@@ -183,7 +183,8 @@ def fitted_set(
     try:
         recording = flight_recording(fly(scenario_from(flown)), Path(f"set {seed}"))
         recording = recording if spoil is None else spoil(recording)
-        found = [one for one in find_impacts([recording]) if not one.refused]
+        drops = plan.experiment == "drop"
+        found = [one for one in find_impacts([recording], drops=drops) if not one.refused]
         if not found:
             raise InputError(f"set {seed}: no impact was found")
         believed: Scenario = scenario_from(dict(tables))

@@ -103,7 +103,7 @@ def _read_flight(
     scenario = read_scenario(folder / plan.scenario, given.change)
     recordings = [_recording(folder / name, given) for name in given.logs]
     names = ", ".join(str(one.path) for one in recordings)
-    found = find_impacts(recordings)
+    found = find_impacts(recordings, drops=plan.experiment == "drop")
     wanted, refused = list[LogImpact](), list[str]()
     for time in given.at:
         near = [one for one in found if abs(one.touch - time) <= NEAR]

@@ -12,6 +12,9 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 HIGHEST_ORDER, DEGREE = 4, 3
 #: Fewest samples from which noise is estimated (chosen).
 FEWEST = 20
+#: Median deviation of normal noise over its standard deviation, and deviations beyond which a
+#: sample before touch is not noise (chosen: one of a million is).
+MEDIAN, WILD = 0.6745, 5.0
 #: Degrees of freedom of Student's t for motion capture, whose markers are swapped at times
 #: (chosen; field's usual for robust regression: Lange, Little and Taylor, JASA 84, 1989).
 STUDENT = 4.0
@@ -88,8 +91,12 @@ def estimated_noise(times: Array, values: Array, floor: float) -> ChannelNoise:
         return white_noise(floor, width)
     middle, half = 0.5 * (t[0] + t[-1]), max(0.5 * (t[-1] - t[0]), 1e-9)
     basis = np.polynomial.legendre.legvander((t - middle) / half, DEGREE)
-    fitted, *_ = np.linalg.lstsq(basis, y, rcond=None)
-    rest = y - basis @ fitted
+    rest = y - basis @ np.linalg.lstsq(basis, y, rcond=None)[0]
+    usual = np.maximum(np.median(np.abs(rest), axis=0) / MEDIAN, floor)
+    calm = (np.abs(rest) < WILD * usual).all(axis=1)
+    if FEWEST <= calm.sum() < len(t):  # a release, a jolt: not noise
+        rest = (y - basis @ np.linalg.lstsq(basis[calm], y[calm], rcond=None)[0])[calm]
+        t = t[calm]
     free = len(t) - DEGREE - 1
     sigma = np.maximum(np.sqrt((rest**2).sum(axis=0) / free), floor)
     moving = sigma > floor * (1.0 + 1e-9)

@@ -161,6 +161,8 @@ class FitPlan(Settings):
     scenario: str
     """Path of the scenario: vehicle, obstacle hit, sensors; its start is where logs tell none."""
     flights: tuple[LoggedFlight, ...] = ()
+    experiment: Literal["flight", "drop"] = "flight"
+    """``drop``: impacts from above count, which are landings in a flight."""
     free: dict[str, str]
     """Fields to be fitted, each with its doubt: ``factor 5``, ``+- 20 %``, ``+- 5 deg``,
     ``5 N/mm factor 3``."""

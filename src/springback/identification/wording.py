@@ -65,11 +65,12 @@ def _misfit_sentences(tested: Sequence[ChannelMisfit]) -> list[str]:
             continue
         where = "in the contact" if one.part == "contact" else "over the whole window"
         if one.probability < 1e-3:
-            size = "larger" if one.ratio > 1.0 else "smaller"
+            size, result = "smaller", "intervals are then too wide"
+            if one.ratio > 1.0:
+                size, result = "larger", "intervals are too narrow, and values may be wrong"
             found.append(
                 f"misfit: residuals of {one.channel} {where} are {np.sqrt(one.ratio):.2g} times "
-                f"their noise, {size} than chance allows (p = {one.probability:.1g}); intervals "
-                "are then too narrow, and values may be wrong"
+                f"their noise, {size} than chance allows (p = {one.probability:.1g}); {result}"
             )
         else:
             found.append(

@@ -81,22 +81,27 @@ class _Sources(NamedTuple):
     attitude_offset: float
     tracks: list[tuple[Recording, LogChannel, float]]
     arms: list[tuple[Recording, LogChannel]]
+    drops: bool  # impacts from above count, too
 
 
-def find_impacts(recordings: Sequence[Recording]) -> list[LogImpact]:
+def find_impacts(recordings: Sequence[Recording], *, drops: bool = False) -> list[LogImpact]:
     """Impacts in logs of the same flight, in order of their times.
 
     Evidence: a horizontal specific force above 15 m/s² and 8 median deviations, samples at the end
     of the accelerometer's range, an arm pressed by 0.5 mm, a bend of a measured track.
+
+    Args:
+        recordings: Logs of one flight.
+        drops: True for drop tests: the whole specific force counts, and normals that point up.
     """
-    sources = _sources(recordings)
+    sources = _sources(recordings)._replace(drops=drops)
     candidates: list[_Candidate] = []
     if sources.accelerometer is not None:
         candidates += _by_force(sources)
     for _, channel in sources.arms:
         candidates += _by_arms(channel)
     for _, channel, offset in sources.tracks:
-        candidates += _by_track(channel, offset)
+        candidates += _by_track(channel, offset, drops)
     merged = _merged(candidates)
     return [_described(one, names, sources, recordings) for one, names in merged]
 
@@ -139,13 +144,17 @@ def _sources(recordings: Sequence[Recording]) -> _Sources:
         if best is None or (id(one), channel.clock) in offsets
     ]  # fmt: skip
     _, attitude, offset = attitudes[0] if attitudes else (False, None, 0.0)
-    return _Sources(best, attitude, offset, tracks, arms)
+    return _Sources(best, attitude, offset, tracks, arms, False)
 
 
 def _horizontal(sources: _Sources) -> tuple[Array, Array]:
-    """Instants, and horizontal specific force [m/s²]; in body axes without an attitude."""
+    """Instants, and horizontal specific force [m/s²], of drops all of it; without an attitude in
+    body axes."""
     assert sources.accelerometer is not None
     channel = sources.accelerometer[1]
+    if sources.drops:
+        known = ~channel.is_lost
+        return channel.times[known], np.linalg.norm(channel.values[known], axis=1)
     if sources.attitude is not None:
         times, force = world_force(sources.attitude, channel, sources.attitude_offset)
         if len(times) > 0.5 * len(channel.times):
@@ -200,11 +209,11 @@ def _by_arms(channel: LogChannel) -> list[_Candidate]:
     return _runs(channel.times, marked, "arm length")
 
 
-def _by_track(channel: LogChannel, offset: float) -> list[_Candidate]:
+def _by_track(channel: LogChannel, offset: float, drops: bool) -> list[_Candidate]:
     at, _, told = bends(channel)
     if len(at) < 20:
         return []
-    size = np.linalg.norm(told[:, :2], axis=1)
+    size = np.linalg.norm(told if drops else told[:, :2], axis=1)
     spread = float(np.median(np.abs(size - np.median(size))))
     limit = max(FORCE, DEVIATIONS * spread)
     found = []
@@ -330,7 +339,7 @@ def _refusal(
         )
         if near.any() and (share := float(track.is_lost[near].mean())) > MOST_LOST:
             return f"{100.0 * share:.0f} % of the frames of {track.name} around it are lost"
-    if normal is not None and normal[2] > LANDING:
+    if normal is not None and normal[2] > LANDING and not sources.drops:
         return "its normal points up: a landing"
     for (_, track, offset), (_, other, _) in _pairs(sources):
         close = _distance(track, other, one.touch - offset)
