@@ -15,12 +15,11 @@ from springback.identification.readings import ImpactReadings, impact_readings
 from springback.identification.settings import FitPlan, LoggedFlight, refuse_second_vehicle
 from springback.identification.unknowns import Unknown, field_unknown
 from springback.identification.wording import sentences
-from springback.logs.reading import LogOptions, read_recording
+from springback.logs.reading import LogOptions
 from springback.logs.recording import Recording
 from springback.logs.segments import LogImpact, find_impacts
-from springback.logs.writing.flight_recording import flight_recording
+from springback.logs.writing.flight_recording import log_or_flight
 from springback.progress import Progress, silent, stage
-from springback.results.saved import is_result, load
 from springback.scenario.code_files import with_absolute_names
 from springback.scenario.files import read_scenario
 from springback.scenario.overrides import apply_overrides
@@ -123,9 +122,7 @@ def _read_flight(
 
 def _recording(path: Path, given: LoggedFlight) -> Recording:
     options = LogOptions(first=given.first, last=given.last, world=given.world, body=given.body)
-    if is_result(path):
-        return flight_recording(load(path), path).within(options.part())
-    return read_recording(path, options)
+    return log_or_flight(path, options)
 
 
 def fields_of_plan(plan: FitPlan, scenario: Scenario) -> list[Unknown]:

@@ -10,7 +10,7 @@ import numpy as np
 from springback.batch.sampled import StateSamples, sampled_flights
 from springback.errors import InputError
 from springback.identification.noise import STUDENT
-from springback.identification.readings import CLEAR, ImpactReadings, Reading
+from springback.identification.readings import CLEAR, ImpactReadings, Reading, ReadingPlan
 from springback.identification.sensor_chain import (
     ChannelChain,
     Interpolator,
@@ -20,7 +20,7 @@ from springback.identification.sensor_chain import (
     inertial_means,
     smoothed,
 )
-from springback.identification.settings import FitPlan, InertialChannel
+from springback.identification.settings import InertialChannel
 from springback.identification.unknowns import FARTHEST, Unknown, latent, with_values
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
@@ -28,6 +28,7 @@ from springback.logs.recording import (
     ATTITUDE,
     POSITION,
     SPECIFIC_FORCE,
+    VELOCITY,
     Array,
 )
 from springback.scenario.scenario import Scenario
@@ -49,7 +50,7 @@ class ImpactProblem:
 
     def __init__(
         self,
-        plan: FitPlan,
+        plan: ReadingPlan,
         scenario: Scenario,
         tables: Mapping[str, Any],
         fields: Sequence[Unknown],
@@ -197,9 +198,18 @@ class ImpactProblem:
         return {one.name: self._white(one, samples, which, u[None])[0] for one in self.readings}
 
     def predictions(self, u: Array) -> dict[str, Array]:
-        """What each channel would have told at a point, by its name, shape (samples, width)."""
-        samples, which = self._flown(u[None])
-        return {one.name: self._predicted(one, samples, which, u[None])[0] for one in self.readings}
+        """What each channel would have told, by its name.
+
+        Args:
+            u: A point, or several, shape (..., unknowns).
+
+        Returns:
+            Shape (..., samples, width); NaN where a flight was refused or diverged.
+        """
+        points = np.atleast_2d(u)
+        samples, which = self._flown(points)
+        found = {one.name: self._predicted(one, samples, which, points) for one in self.readings}
+        return {name: values if u.ndim > 1 else values[0] for name, values in found.items()}
 
     def _channel_rows(self, one: Reading, samples: StateSamples, which: Any, u: Array) -> Array:
         white = self._white(one, samples, which, u)
@@ -215,7 +225,7 @@ class ImpactProblem:
         else:
             rest = one.values - predicted
         if one.quantity == ARM_LENGTH:
-            sigma = np.hypot(one.noise.stationary, self._resolution(one))
+            sigma = np.hypot(one.noise.stationary, self.resolution(one))
             return np.where(np.isnan(rest), 0.0, rest / sigma)
         return one.noise.whitened(rest, one.starts)
 
@@ -235,6 +245,8 @@ class ImpactProblem:
             rates = samples.of(*(f"arm_rate.{j}" for j in arms))
             free = np.array(self.scenario.vehicle.lengths())[:width]
             return between.positions(lengths - free, rates)
+        if one.quantity == VELOCITY:
+            return between.linear(samples.vectors("velocity"))
         place = between.positions(samples.vectors("position"), samples.vectors("velocity"))
         names = [f"motion capture offset {a}" for a in _AXES]
         place = place + self._columns(u, *names)[:, None]
@@ -269,7 +281,7 @@ class ImpactProblem:
             low = part.bandwidth if low is None else low
         return ChannelChain(full, low, average)
 
-    def _resolution(self, one: Reading) -> Any:
+    def resolution(self, one: Reading) -> Any:
         """Standard deviation of a count of the converter at each arm length [m]."""
         s = self.scenario
         if "sensors" not in s.model_fields_set or s.sensors.hall.perfect:

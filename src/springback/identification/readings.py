@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from dataclasses import replace
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 
 from springback.errors import InputError
 from springback.identification.noise import ChannelNoise, estimated_noise, white_noise
-from springback.identification.settings import FitPlan
+from springback.identification.settings import ClockFit, FitSensors, StartFit, WindowFit
 from springback.identification.starts import StartGuess, start_guess
 from springback.logs.clocks import GAP, Offset
 from springback.logs.frame_check import bends, offset_of
@@ -19,24 +20,50 @@ from springback.logs.recording import (
     ARM_LENGTH,
     ATTITUDE,
     POSITION,
-    ROTOR_COMMAND,
     SPECIFIC_FORCE,
+    VELOCITY,
     Array,
     LogChannel,
     Recording,
     SensorChain,
 )
 from springback.logs.segments import ALIGNED, LogImpact
+from springback.logs.thrusts import logged_thrusts
 from springback.scenario.scenario import Scenario
 
 #: Least standard deviations of a sample: what common devices resolve (chosen).
 FLOORS = {
     SPECIFIC_FORCE: 5e-3, ANGULAR_VELOCITY: 5e-4, POSITION: 5e-5, ATTITUDE: 2e-4, ARM_LENGTH: 2e-5,
+    VELOCITY: 2e-2,
 }  # fmt: skip
 #: Time before touch from which noise is estimated, and its distance from touch [s] (chosen).
 QUIET, CLEAR = 0.5, 0.01
 #: Doubt of a clock that only the impact itself aligns [s] (chosen: a frame at 200 Hz).
 COARSE = 5e-3
+
+
+class ReadingPlan(Protocol):
+    """What of a plan tells how logs are read, as `FitPlan` has it."""
+
+    @property
+    def sensors(self) -> FitSensors:
+        """What stands between the motion and the logs."""
+
+    @property
+    def clocks(self) -> ClockFit:
+        """Clocks of other devices."""
+
+    @property
+    def start(self) -> StartFit:
+        """Doubt of the state before touch."""
+
+    @property
+    def thrust(self) -> float:
+        """Standard deviation of the factor of all thrusts."""
+
+    @property
+    def window(self) -> WindowFit:
+        """Part that is read."""
 
 
 class Reading(NamedTuple):
@@ -62,7 +89,7 @@ class ImpactReadings(NamedTuple):
     start: StartGuess
     readings: tuple[Reading, ...]
     clock_doubt: float  # of other devices [s]
-    thrust: dict[str, Any] | None  # ``thrust`` of a scenario, if commands were logged
+    thrust: dict[str, Any] | None  # ``thrust`` of a scenario, if speeds or commands were logged
 
     def of(self, quantity: str) -> Reading | None:
         """Reading of a quantity, if there is one."""
@@ -76,7 +103,12 @@ class _Found(NamedTuple):
 
 
 def impact_readings(
-    plan: FitPlan, scenario: Scenario, recordings: Sequence[Recording], impact: LogImpact
+    plan: ReadingPlan,
+    scenario: Scenario,
+    recordings: Sequence[Recording],
+    impact: LogImpact,
+    *,
+    estimates: bool = False,
 ) -> ImpactReadings:
     """Readings of an impact that was found in the logs of a flight.
 
@@ -85,18 +117,25 @@ def impact_readings(
         scenario: Of this flight.
         recordings: Logs of the flight.
         impact: Found in them.
+        estimates: Read velocities, too, and tracks that an autopilot estimated where none is
+            measured.
 
     Raises:
-        InputError: If there is neither an accelerometer nor a track.
+        InputError: If there is neither an accelerometer nor a track, or neither a track nor a
+            velocity of the scenario before touch.
     """
     inertial = _inertial(recordings)
-    tracks, doubt = _tracks(plan, recordings, inertial, impact)
+    tracks, doubt = _tracks(plan, recordings, inertial, impact, estimated=False)
+    if estimates and not tracks:
+        tracks, doubt = _tracks(plan, recordings, inertial, impact, estimated=True)
     arms = [
         _Found(one, channel, 0.0)
         for one in recordings for channel in one.of(ARM_LENGTH)
         if not inertial or one is inertial[0].recording
     ][:1]  # fmt: skip
     used = [*inertial, *tracks, *arms]
+    if estimates:
+        used += _velocities(recordings, used)
     if not any(one.channel.quantity in (SPECIFIC_FORCE, POSITION) for one in used):
         raise InputError(f"{impact.log}: has neither an accelerometer nor a track to fit")
     begin, end = _window(plan, used, impact)
@@ -104,9 +143,15 @@ def impact_readings(
         reading for one in used
         if (reading := _reading(plan, one, begin, end, impact, inertial)) is not None
     )  # fmt: skip
+    if not any(scenario.start.velocity) and not any(one.quantity == POSITION for one in readings):
+        raise InputError(
+            f"{impact.log}: has no track before touch, and the scenario has no start.velocity to "
+            "begin with"
+        )
     touch, release = impact.touch - begin, impact.release - begin
     guess = start_guess(scenario, readings, touch)
-    thrust = _thrust(scenario, recordings, begin, end)
+    told = logged_thrusts(scenario, recordings, (begin, end), impact.touch)
+    thrust = None if told is None else told.table
     name = f"{impact.log} at {impact.touch:.3f} s"
     return ImpactReadings(name, touch, release, end - begin, guess, readings, doubt, thrust)
 
@@ -127,17 +172,32 @@ def _inertial(recordings: Sequence[Recording]) -> list[_Found]:
     return [best, *sorted(beside, key=lambda one: -one.channel.rate)[:1]]
 
 
+def _velocities(recordings: Sequence[Recording], used: Sequence[_Found]) -> list[_Found]:
+    """The first velocity on a clock that is known."""
+    shifts = {(id(one.recording), one.channel.clock): one.shift for one in reversed(used)}
+    return [
+        _Found(one, channel, shifts[id(one), channel.clock])
+        for one in recordings for channel in one.of(VELOCITY)
+        if (id(one), channel.clock) in shifts
+    ][:1]  # fmt: skip
+
+
 def _tracks(
-    plan: FitPlan, recordings: Sequence[Recording], inertial: Sequence[_Found], impact: LogImpact
+    plan: ReadingPlan,
+    recordings: Sequence[Recording],
+    inertial: Sequence[_Found],
+    impact: LogImpact,
+    *,
+    estimated: bool,
 ) -> tuple[list[_Found], float]:
     """Measured positions and attitudes of the body, with the doubt of their clock [s]."""
     for recording in recordings:
         for position in recording.of(POSITION):
-            if position.chain.estimated:
+            if position.chain.estimated != estimated:
                 continue
             attitude = next(
                 (one for one in recording.of(ATTITUDE)
-                 if one.clock == position.clock and not one.chain.estimated), None,
+                 if one.clock == position.clock and one.chain.estimated == estimated), None,
             )  # fmt: skip
             shift, doubt = _shift(plan, recording, position, attitude, inertial, impact)
             pair = [position] if attitude is None else [position, attitude]
@@ -146,7 +206,7 @@ def _tracks(
 
 
 def _shift(
-    plan: FitPlan,
+    plan: ReadingPlan,
     recording: Recording,
     position: LogChannel,
     attitude: LogChannel | None,
@@ -176,7 +236,7 @@ def _shift(
     return 0.5 * (impact.touch + impact.release) - strongest, COARSE
 
 
-def _window(plan: FitPlan, used: Sequence[_Found], impact: LogImpact) -> tuple[float, float]:
+def _window(plan: ReadingPlan, used: Sequence[_Found], impact: LogImpact) -> tuple[float, float]:
     """Start and end of the part that is fitted [s], the start at a sample of the first channel."""
     contact = max(impact.release - impact.touch, 1e-3)
     after = plan.window.after
@@ -190,7 +250,7 @@ def _window(plan: FitPlan, used: Sequence[_Found], impact: LogImpact) -> tuple[f
 
 
 def _reading(
-    plan: FitPlan,
+    plan: ReadingPlan,
     one: _Found,
     begin: float,
     end: float,
@@ -223,10 +283,19 @@ def _reading(
     starts = np.concatenate([[True], np.diff(at) > GAP * usual])
     home = inertial[0] if inertial else one
     other = not (one.recording is home.recording and channel.clock == home.channel.clock)
-    return Reading(quantity, channel.name, at, values[inside], noise, starts, channel.chain, other)
+    chain = _with_range(channel)
+    return Reading(quantity, channel.name, at, values[inside], noise, starts, chain, other)
 
 
-def _given_noise(plan: FitPlan, quantity: str) -> float | None:
+def _with_range(channel: LogChannel) -> SensorChain:
+    """Chain of a channel; a range that is not told is that of the samples marked as clipped."""
+    chain, clipped = channel.chain, channel.clipped
+    if chain.full_scale is not None or clipped is None or not clipped.any():
+        return chain
+    return replace(chain, full_scale=float(np.nanmax(np.abs(channel.values[clipped]))))
+
+
+def _given_noise(plan: ReadingPlan, quantity: str) -> float | None:
     sensors = plan.sensors
     return {
         SPECIFIC_FORCE: sensors.accelerometer.noise,
@@ -234,38 +303,4 @@ def _given_noise(plan: FitPlan, quantity: str) -> float | None:
         POSITION: sensors.motion_capture.noise,
         ATTITUDE: sensors.motion_capture.attitude_noise,
         ARM_LENGTH: sensors.arm_length.noise,
-    }[quantity]
-
-
-def _thrust(
-    scenario: Scenario, recordings: Sequence[Recording], begin: float, end: float
-) -> dict[str, Any] | None:
-    """Thrusts over the window, of logged commands through the lag of the rotors."""
-    propulsion = scenario.vehicle.propulsion
-    if propulsion is None or scenario.model.slider is not None:
-        return None
-    for recording in recordings:
-        for channel in recording.of(ROTOR_COMMAND):
-            if channel.values.shape[1] < scenario.vehicle.rotor_count:
-                continue
-            share = np.nan_to_num(channel.values[:, : scenario.vehicle.rotor_count])
-            wanted = np.clip(
-                share * propulsion.max_thrust, propulsion.min_thrust, propulsion.max_thrust
-            )
-            thrusts = _lagged(channel.times, wanted, propulsion.time_constant)
-            inside = (channel.times > begin) & (channel.times < end)
-            at = np.concatenate([[begin], channel.times[inside], [end]])
-            rows = np.stack([np.interp(at, channel.times, one) for one in thrusts.T], axis=1)
-            return {"time": (at - begin).tolist(), "values": rows.tolist()}
-    return None
-
-
-def _lagged(times: Array, wanted: Array, constant: float) -> Array:
-    """Thrusts that follow commands, each held to the next one, by a first-order lag [N]."""
-    if constant <= 0.0:
-        return wanted
-    thrusts = wanted.copy()
-    for k in range(1, len(times)):
-        share = -np.expm1(-(times[k] - times[k - 1]) / constant)
-        thrusts[k] = thrusts[k - 1] + share * (wanted[k - 1] - thrusts[k - 1])
-    return thrusts
+    }.get(quantity)

@@ -157,6 +157,11 @@ class Interpolator:
         )  # fmt: skip
         return found
 
+    def linear(self, values: Array) -> Array:
+        """Values without known rates, shape (flights, grid, width) to (points, instants, width)."""
+        a, b = self._ends(values)
+        return np.asarray(a + self.s * (b - a))
+
     def attitudes(self) -> Array:
         """Attitudes, shape (points, instants, 4)."""
         q = self.samples.of("attitude.w", "attitude.x", "attitude.y", "attitude.z")

@@ -61,10 +61,9 @@ def start_guess(scenario: Scenario, readings: Sequence[Reading], touch: float) -
                 omega = np.nanmean(early, axis=0)
     if tracked is not None:
         position, velocity = tracked
-    else:
+    elif (speed := float(np.linalg.norm(velocity))) > 0.0:
         way = float(way_to_touch(scenario.flight_model(), state))
-        speed = float(np.linalg.norm(velocity))
-        position = position + (way - speed * touch) * velocity / max(speed, 1e-9)
+        position = position + (way - speed * touch) * velocity / speed
     axis = scenario.model.slider
     if axis is not None:
         unit, home = np.array(axis) / np.linalg.norm(axis), np.array(state.position)

@@ -38,6 +38,10 @@ BETWEEN_LINES = 10.0
 @click.argument(
     "overrides", nargs=-1, metavar="[KEY=VALUE]...", shell_complete=complete_setting(plan=True)
 )
+@click.option(
+    "--with", "overlay", type=ScenarioPath(), metavar="OVERLAY",
+    help="Lay the values of an identified.toml over the scenario.",
+)  # fmt: skip
 @click.option("--resume", is_flag=True, help="Continue the campaign in the folder.")
 @click.option("--dry-run", is_flag=True, help="Fly a few, and estimate time and disk space of all.")
 @click.option("--workers", type=int, help="Number of processes; by default that of the cores.")
@@ -54,6 +58,7 @@ BETWEEN_LINES = 10.0
 def campaign(
     plan: Path | None,
     overrides: tuple[str, ...],
+    overlay: Path | None,
     resume: bool,
     dry_run: bool,
     workers: int | None,
@@ -75,6 +80,7 @@ def campaign(
     springback campaign plan.toml --dry-run
     springback campaign plan.toml --out results
     springback campaign plan.toml samples=100000 seed=7 --out more
+    springback campaign plan.toml --with fitted/identified.toml --out identified
     springback campaign plan.toml --out results --resume
     springback query results "SELECT robot, avg(success) FROM flights GROUP BY robot"
     """
@@ -85,8 +91,15 @@ def campaign(
     if plan is None and not (resume and out):
         raise InputError("PLAN is missing: a file such as plan.toml (or --resume with --out)")
     tls = _tls(scheduler, tls_ca, tls_cert, tls_key)
+    laid = [] if overlay is None else _laid_over(overlay, plan)
     with output.spinner("reading the plan"):
-        design = _design(plan, overrides, out)
+        design = _design(plan, (*laid, *overrides), out)
+    of_vehicle = [word for word in laid if word.startswith("scenario.vehicle.")]
+    if of_vehicle and design.plan.robots:
+        raise InputError(
+            f"--with {overlay}: sets {of_vehicle[0].partition('=')[0].removeprefix('scenario.')}, "
+            "but the robots of the plan bring vehicles of their own"
+        )
     if dry_run:
         _print_cost(design, workers, output)
         return
@@ -105,6 +118,15 @@ def campaign(
         say(f"completed flights are saved; resume with: {again}")
         sys.exit(1)
     _report(flown, output)
+
+
+def _laid_over(overlay: Path, plan: Path | None) -> list[str]:
+    """Overrides of a plan by which an overlay is laid over its scenario."""
+    from springback.identification.results_files import overlay_words
+
+    if plan is None:
+        raise InputError("--with: needs a PLAN; a campaign that is resumed has its values already")
+    return [f"scenario.{word}" for word in overlay_words(overlay)]
 
 
 def _tls(

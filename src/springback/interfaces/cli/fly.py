@@ -6,23 +6,77 @@ import json
 import sys
 import warnings
 from pathlib import Path
+from typing import Any
 
 import click
 
-from springback.errors import FlightWarning
-from springback.interfaces.cli.common import FIRST, Output, output_options, say
+from springback.errors import FlightWarning, InputError
+from springback.interfaces.cli.common import FIRST, PATH, Output, output_options, say
 from springback.interfaces.cli.completion import ScenarioPath, complete_code, complete_setting
+from springback.interfaces.cli.identify.logs import log_options
+
+#: Names of options whose values are passed under others.
+_OPTIONS = {"first": "from", "last": "until"}
 
 
 @click.command()
 @click.argument("scenario", type=ScenarioPath())
 @click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...", shell_complete=complete_setting())
 @click.option(
-    "--pilot", metavar="FILE.py:NAME", shell_complete=complete_code,
+    "--pilot",
+    metavar="FILE.py:NAME",
+    shell_complete=complete_code,
     help="Fly with a pilot of your own: a function, or a CompiledPilot, which is compiled.",
-)  # fmt: skip
+)
+@click.option(
+    "--with",
+    "overlay",
+    type=ScenarioPath(),
+    metavar="OVERLAY",
+    help="Lay the values of an identified.toml over the scenario.",
+)
+@click.option(
+    "--against",
+    "logs",
+    type=PATH,
+    multiple=True,
+    metavar="LOG",
+    help="Replay a recorded impact: start and thrusts are the log's. Repeat it for several logs of "
+    "one flight.",
+)
+@click.option(
+    "--impact",
+    type=float,
+    metavar="SECONDS",
+    help="Touch in the log, to 50 ms; by default the first that can be used.",
+)
+@click.option(
+    "--before",
+    type=float,
+    metavar="SECONDS",
+    help="Begin of the replay, before touch; by default 0.1.",
+)
+@click.option(
+    "--rotors",
+    metavar="NUMBERS",
+    help="Logged rotor of each of the vehicle's, such as 1,3,2,4.",
+)
+@click.option(
+    "--align",
+    is_flag=True,
+    help="Move the start along its velocity, for touch to be when the log says.",
+)
+@log_options  # fmt: skip
 @output_options("Folder for summary.json, trajectory.parquet, figures.")
-def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: Output) -> None:
+def fly(
+    scenario: Path,
+    overrides: tuple[str, ...],
+    pilot: str | None,
+    overlay: Path | None,
+    logs: tuple[Path, ...],
+    output: Output,
+    **given: Any,
+) -> None:
     """Fly a SCENARIO file, with any of its values overridden.
 
     \b
@@ -30,7 +84,10 @@ def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: O
     springback fly scenario.toml vehicle.arms.stiffness="6 N/mm" start.pitch="15 deg" --out results
     springback fly scenario.toml --pilot my_pilot.py:hover --out results
     springback fly scenario.toml second=other.toml --out results
+    springback fly scenario.toml --with fitted/identified.toml --out results
+    springback fly scenario.toml --against flight.ulg --against take.csv --world y-up --out replay
     """
+    from springback.identification.results_files import overlay_words
     from springback.interfaces.output.folders import SUMMARY
     from springback.interfaces.output.no_contact import untouched_flight
     from springback.interfaces.reports.flight_files import FLIGHT_FILES, write_flight
@@ -39,6 +96,16 @@ def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: O
     from springback.scenario.user.pilots import read_pilot
     from springback.scenario.warnings import scenario_warnings
 
+    if overlay is not None:
+        overrides = (*overlay_words(overlay), *overrides)
+    if logs:
+        if pilot:
+            raise InputError("--pilot: cannot be combined with --against, which flies open loop")
+        _fly_against(scenario, overrides, logs, given, output)
+        return
+    for name, value in given.items():
+        if value:
+            raise InputError(f"--{_OPTIONS.get(name, name)}: needs --against")
     own = read_pilot(pilot) if pilot else None
     ready = read_scenario(scenario, overrides, pilot=own is not None)
     for sentence in scenario_warnings(ready, own=own is not None or ready.pilot is not None):
@@ -61,4 +128,44 @@ def fly(scenario: Path, overrides: tuple[str, ...], pilot: str | None, output: O
     for sentence in (line for one in flights for line in one.remarks.values()):
         say(f"warning: {sentence}")
     if not all(one.is_finite for one in flights):
+        sys.exit(1)
+
+
+def _fly_against(
+    scenario: Path,
+    overrides: tuple[str, ...],
+    logs: tuple[Path, ...],
+    given: dict[str, Any],
+    output: Output,
+) -> None:
+    """Replay a recorded impact, and write the flight and its errors."""
+    from springback.identification.replays.errors import as_data, remarks
+    from springback.interfaces.cli.against import against_text, replay_against, rotor_order
+    from springback.interfaces.reports.against_files import write_against
+    from springback.interfaces.reports.flight_files import FLIGHT_FILES, write_flight
+    from springback.results.flight import fly as fly_scenario
+    from springback.scenario.files import as_input
+    from springback.scenario.scenario import scenario_from
+
+    reading = {name: given[name] for name in ("first", "last", "world", "body")}
+    before, impact = given["before"], given["impact"]
+    wanted = {"rotors": rotor_order(given["rotors"]), "align": given["align"], "impact": impact}
+    if before is not None:
+        wanted["before"] = before
+    with output.folder(FLIGHT_FILES) as folder:
+        with output.spinner(FIRST), as_input(scenario, overrides), warnings.catch_warnings():
+            warnings.simplefilter("ignore", FlightWarning)
+            told = replay_against(scenario, overrides, logs, reading, wanted)
+            flight = fly_scenario(scenario_from(told.flown.flight_tables(), False))
+        figures = output.wants_figures()
+        written = write_flight(flight, folder, figures=figures)
+        written += write_against(told.flown, told.channels, told.rows, folder, figures=figures)
+    data = as_data(told.flown, told.rows)
+    output.print(data, against_text(told))
+    output.note_written(written)
+    for sentence in (*told.flown.warnings, *remarks(told.flown, told.rows)):
+        say(f"warning: {sentence}")
+    for sentence in flight.remarks.values():
+        say(f"warning: {sentence}")
+    if not flight.is_finite:
         sys.exit(1)

@@ -19,8 +19,10 @@ _NAMES = (
     "trajectory.parquet", "telemetry.parquet",
     *(f"{name}.{kind}" for name in ("flight", "energy", "impact") for kind in ("png", "csv")),
 )  # fmt: skip
+#: Files of a replay against a recording.
+AGAINST_FILES = ("against.json", "against.csv", "against.png", "against_curves.csv")
 #: Files of a flight, which are removed when another one replaces it.
-FLIGHT_FILES = (SUMMARY, FORMS, *_NAMES, *(SECOND + name for name in _NAMES))
+FLIGHT_FILES = (SUMMARY, FORMS, *_NAMES, *(SECOND + name for name in _NAMES), *AGAINST_FILES)
 
 
 def save_flight(

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from springback.errors import InputError
+from springback.logs.reading import LogOptions, read_recording
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
     ARM_LENGTH,
@@ -22,10 +23,26 @@ from springback.logs.recording import (
     log_channel,
 )
 from springback.results.result import FlightResult
+from springback.results.saved import is_result, load
 from springback.sensing.parameters import HallSettings
 
 #: Name of the clocks: on board, and of the motion capture, which share their zero here.
 ONBOARD, CAPTURE = "log", "motion capture"
+
+
+def log_or_flight(path: Path, options: LogOptions) -> Recording:
+    """Recording of a log, or of what the sensors of a saved flight gave.
+
+    Args:
+        path: Of a log, or of a folder that `springback fly` wrote.
+        options: Part and axes.
+
+    Raises:
+        InputError: If it cannot be read.
+    """
+    if is_result(path):
+        return flight_recording(load(path), path).within(options.part())
+    return read_recording(path, options)
 
 
 def flight_recording(flight: FlightResult, path: Path) -> Recording:

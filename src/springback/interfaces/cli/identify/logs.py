@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +13,6 @@ from springback.interfaces.cli.common import PATH, Terminal, terminal_options
 
 if TYPE_CHECKING:
     from springback.logs.overview import Overview
-    from springback.logs.reading import LogOptions
     from springback.logs.recording import Recording
     from springback.logs.segments import LogImpact
 
@@ -32,7 +31,7 @@ def identify() -> None:
     """
 
 
-def _log_options(command: Callable[..., None]) -> Callable[..., None]:
+def log_options(command: Callable[..., None]) -> Callable[..., None]:
     """Options of every command that reads logs."""
     for option in (
         click.option("--body", metavar="AXES", help="Body axes of poses: flu, frd, rfu, y-up."),
@@ -47,27 +46,26 @@ def _log_options(command: Callable[..., None]) -> Callable[..., None]:
     return command
 
 
-def _recordings(logs: tuple[Path, ...], **given: Any) -> list[Recording]:
-    """Recordings of logs, or of results of simulated flights."""
-    from springback.logs.reading import LogOptions, read_recording
+def recordings_of(logs: Sequence[Path], **given: Any) -> list[Recording]:
+    """Recordings of logs, or of results of simulated flights.
+
+    Args:
+        logs: Paths.
+        **given: Fields of `springback.logs.reading.LogOptions`.
+
+    Raises:
+        InputError: If one cannot be read.
+    """
+    from springback.logs.reading import LogOptions
+    from springback.logs.writing.flight_recording import log_or_flight
 
     options = LogOptions(**given)
-    return [_simulated(path, options) or read_recording(path, options) for path in logs]
-
-
-def _simulated(path: Path, options: LogOptions) -> Recording | None:
-    """Recording of a folder that `springback fly` wrote; None for any other."""
-    from springback.logs.writing.flight_recording import flight_recording
-    from springback.results.saved import is_result, load
-
-    if not is_result(path):
-        return None
-    return flight_recording(load(path), path).within(options.part())
+    return [log_or_flight(path, options) for path in logs]
 
 
 @identify.command()
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...", type=PATH)
-@_log_options
+@log_options
 @terminal_options("as_json", "quiet")
 def inspect(
     logs: tuple[Path, ...], first: float | None, last: float | None, world: str | None,
@@ -86,7 +84,7 @@ def inspect(
     """
     from springback.logs.overview import as_data, overview
 
-    recordings = _recordings(logs, first=first, last=last, world=world, body=body)
+    recordings = recordings_of(logs, first=first, last=last, world=world, body=body)
     with terminal.spinner("comparing the channels"):
         found = overview(recordings)
     terminal.print(as_data(found), _overview_text(found))
@@ -94,7 +92,7 @@ def inspect(
 
 @identify.command()
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...", type=PATH)
-@_log_options
+@log_options
 @terminal_options("as_json", "quiet")
 def segment(
     logs: tuple[Path, ...], first: float | None, last: float | None, world: str | None,
@@ -110,7 +108,7 @@ def segment(
     """
     from springback.logs.overview import as_data, overview
 
-    recordings = _recordings(logs, first=first, last=last, world=world, body=body)
+    recordings = recordings_of(logs, first=first, last=last, world=world, body=body)
     with terminal.spinner("looking for impacts"):
         found = overview(recordings)
     if not found.impacts:
@@ -133,7 +131,7 @@ def segment(
     "--as", "form", type=click.Choice(FORMATS),
     help="Format, where the suffix does not tell: motive and vicon are .csv, too.",
 )  # fmt: skip
-@_log_options
+@log_options
 @terminal_options("force", "quiet")
 def convert(
     source: Path, out: Path, form: str | None, first: float | None, last: float | None,
@@ -160,7 +158,7 @@ def convert(
             raise InputError(f"{path}: exists; give --force to replace it")
     if out.exists() and source.exists() and out.resolve() == source.resolve():
         raise InputError(f"--out {out}: is the log itself")
-    [recording] = _recordings((source,), first=first, last=last, world=world, body=body)
+    [recording] = recordings_of((source,), first=first, last=last, world=world, body=body)
     left_out = write_recording(recording, out, form)
     if left_out:
         terminal.note(f"not in this format: {', '.join(left_out)}")
