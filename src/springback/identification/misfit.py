@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import scipy  # submodules are loaded on first use
@@ -10,13 +10,16 @@ import scipy  # submodules are loaded on first use
 from springback.identification.fitting import ImpactFit
 from springback.identification.likelihood import OUTLIER
 from springback.identification.readings import Reading
-from springback.logs.recording import Array
+from springback.logs.recording import ANGULAR_VELOCITY, SPECIFIC_FORCE, Array
 
 #: Probability below which a misfit is said (chosen; `springback identify check` tells how often
 #: that is wrong).
 UNLIKELY = 1e-3
 #: Lags of the test of Ljung and Box (chosen).
 LAGS = 8
+#: Share of the range from which a sample counts as clipped (chosen: a low-pass behind the range
+#: takes some samples to get there).
+CLIPPED = 0.99
 
 
 class ChannelMisfit(NamedTuple):
@@ -48,10 +51,22 @@ def misfits(fit: ImpactFit) -> list[ChannelMisfit]:
     for reading in fit.problem.readings:
         white = errors[reading.name]
         inside = (reading.times >= contact[0]) & (reading.times <= contact[1])
+        free = _unclipped(fit, reading)
+        white, inside = white[free], inside[free]
         found.append(_tested(impact.name, reading, "all", white, share))
         if inside.sum() >= LAGS:
             found.append(_tested(impact.name, reading, "contact", white[inside], share))
     return found
+
+
+def _unclipped(fit: ImpactFit, reading: Reading) -> Any:
+    """True for samples that are not at the end of the range, where there is no noise."""
+    full: float | None = None
+    if reading.quantity in (SPECIFIC_FORCE, ANGULAR_VELOCITY):
+        full = fit.problem.chain(reading).full_scale
+    if full is None:
+        return np.ones(len(reading.times), dtype=bool)
+    return ~(np.abs(np.nan_to_num(reading.values)) >= CLIPPED * full).any(axis=1)
 
 
 def effective_numbers(fit: ImpactFit) -> float:
