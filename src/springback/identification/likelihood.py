@@ -233,8 +233,7 @@ class ImpactProblem:
             arms = range(1, width + 1)
             lengths = samples.of(*(f"arm_length.{j}" for j in arms))
             rates = samples.of(*(f"arm_rate.{j}" for j in arms))
-            free = np.array(self.scenario.vehicle.lengths())[:width]
-            return between.positions(lengths - free, rates)
+            return between.positions(lengths - lengths[:, :1], rates)  # of before, as readings are
         place = between.positions(samples.vectors("position"), samples.vectors("velocity"))
         names = [f"motion capture offset {a}" for a in _AXES]
         place = place + self._columns(u, *names)[:, None]
