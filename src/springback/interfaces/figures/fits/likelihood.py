@@ -53,7 +53,7 @@ def profiles_figure(impacts: Sequence[Sequence[ProfileCurve]]) -> Figure:
     fields = [one.unknown for one in impacts[0]]
     down = math.ceil(len(fields) / BESIDE)
     figure = StyledFigure(figsize=(WIDTH, 0.7 + TALL * down), layout="constrained")
-    axes = figure.subplots(down, BESIDE, squeeze=False)
+    axes = figure.subplots(down, BESIDE, squeeze=False, sharey=True)
     names = short_names([one.name for one in fields])
     for k, ax in enumerate(axes.flat):
         if k >= len(fields):
