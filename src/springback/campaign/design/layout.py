@@ -435,8 +435,8 @@ def _check_columns(
     for one in joint:
         column = one.dimension.column
         if (*one.goal.path, False) in fields:
-            entry = fields[(*one.goal.path, False)] + 1
-            blame(("posterior",), f"{column}: is varied by entry {entry} of vary, too")
+            there = fields[(*one.goal.path, False)] + 1
+            blame(("posterior",), f"{column}: is varied by entry {there} of vary, too")
         elif column.lower() in taken:
             blame(("posterior",), f"{column!r} as a name of a column {taken[column.lower()]}")
         taken.setdefault(column.lower(), "is that of another field, too")

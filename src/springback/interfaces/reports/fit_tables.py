@@ -175,7 +175,7 @@ def assumption_rows(found: Sequence[Assumption], estimates: Sequence[FieldEstima
     short = dict(zip(known, short_names(list(known)), strict=True))
     rows: Rows = []
     for one in found:
-        moved = []
+        moved = list[str]()
         for name, shift in sorted(one.shifts.items(), key=lambda item: -abs(item[1])):
             unknown = known[name].unknown
             if moved and abs(shift) < MATTERS * known[name].deviation:
@@ -192,7 +192,7 @@ def assumption_rows(found: Sequence[Assumption], estimates: Sequence[FieldEstima
 
 def narrower_rows(estimates: Sequence[FieldEstimate], names: Sequence[str], matrix: Array) -> Rows:
     """How much narrower free fields would be, were a known one known exactly: √(1 − ρ²)."""
-    rows = []
+    rows = list[tuple[float, Sequence[Entry]]]()
     for one in estimates:
         if one.unknown.role != "known":
             continue

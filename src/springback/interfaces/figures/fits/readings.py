@@ -33,7 +33,7 @@ USUAL = 1.96
 _COLOURS = (BLUE, RED, GREEN, PINK, ORANGE, GREY)
 
 
-class ShownUnit(NamedTuple):
+class ChannelLabel(NamedTuple):
     """What a channel is called in a panel, its unit, and the factor from SI."""
 
     title: str
@@ -42,11 +42,11 @@ class ShownUnit(NamedTuple):
 
 
 SHOWN = {
-    SPECIFIC_FORCE: ShownUnit("Specific force", "m/s²", 1.0),
-    ANGULAR_VELOCITY: ShownUnit("Angular velocity", "rad/s", 1.0),
-    POSITION: ShownUnit("Position", "mm", 1e3),
-    ATTITUDE: ShownUnit("Turn", "deg", math.degrees(1.0)),
-    ARM_LENGTH: ShownUnit("Arm length", "mm", 1e3),
+    SPECIFIC_FORCE: ChannelLabel("Specific force", "m/s²", 1.0),
+    ANGULAR_VELOCITY: ChannelLabel("Angular velocity", "rad/s", 1.0),
+    POSITION: ChannelLabel("Position", "mm", 1e3),
+    ATTITUDE: ChannelLabel("Turn", "deg", math.degrees(1.0)),
+    ARM_LENGTH: ChannelLabel("Arm length", "mm", 1e3),
 }
 
 
