@@ -250,7 +250,7 @@ def _symbols(text: str) -> Markup:
 
 def _breakable(text: str) -> Markup:
     """Escaped text whose lines may end after a dot, which copying does not show."""
-    return Markup("<wbr>".join(str(escape(part)) for part in re.split(r"(?<=\w\.)", text)))
+    return Markup("<wbr>".join(str(escape(part)) for part in re.split(r"(?<=\w\.)(?=[a-z])", text)))
 
 
 def decimal(value: float | None, decimals: int) -> str:
