@@ -87,6 +87,7 @@ def _shifts(fit: ImpactFit, candidates: Sequence[Unknown]) -> Iterator[dict[str,
     old, count = fit.problem, len(candidates)
     fields = [*old.fields, *candidates]
     problem = ImpactProblem(old.plan, old.scenario, _whole(old), fields, old.impact)
+    problem.readings = old.readings  # with the noise of the fit
     at, width = old.count, len(fit.point)
     point = np.concatenate([fit.point[:at], np.zeros(count), fit.point[at:]])
     active = np.zeros(len(point), dtype=bool)

@@ -10,8 +10,9 @@ import numpy as np
 
 from springback.identification.estimates import FieldEstimate, correlations
 from springback.identification.fits import FitResult
-from springback.identification.fitting import PROFILE_RISE, ImpactFit
+from springback.identification.fitting import ImpactFit
 from springback.identification.misfit import UNLIKELY
+from springback.identification.profiles import PROFILE_RISE
 from springback.identification.report.assumptions import MATTERS, assumptions, words_of_laws
 from springback.identification.report.profiles import profile_curves
 from springback.identification.report.replays import replays
@@ -254,7 +255,7 @@ def _method(result: FitResult, flights: int) -> Content:
     }  # fmt: skip
     return {
         "starts": plan.starts, "seed": plan.seed, "lanes": flights, "before": plan.window.before,
-        "after": "three contact times" if after is None else value_text(after, "s"),
+        "after": WORDS.text["usual"] if after is None else value_text(after, "s"),
         "known": ", ".join(f"{name} {doubt}" for name, doubt in known.items()) or "nothing",
         "draws": DRAWS, "tables": tables,
     }  # fmt: skip

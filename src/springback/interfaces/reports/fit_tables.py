@@ -163,9 +163,9 @@ def impact_head(estimates: Sequence[FieldEstimate]) -> list[str]:
 def interval_alone(fit: ImpactFit, name: str) -> IntervalEstimate:
     """Value of a free field in one impact, with its profile interval."""
     k = fit.problem.place[name]
-    unknown, ends = fit.problem.unknowns[k], fit.profiles.get(name)
-    ends_u = (-np.inf, np.inf) if ends is None else ends
-    low, high = (float(unknown.value(u)) if np.isfinite(u) else None for u in ends_u)
+    unknown, profile = fit.problem.unknowns[k], fit.profiles.get(name)
+    ends = (-np.inf, np.inf) if profile is None else (profile.low, profile.high)
+    low, high = (float(unknown.value(u)) if np.isfinite(u) else None for u in ends)
     return IntervalEstimate(float(unknown.value(fit.point[k])), low, high)
 
 

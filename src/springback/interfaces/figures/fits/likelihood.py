@@ -13,7 +13,7 @@ from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 
 from springback.identification.estimates import FieldEstimate
-from springback.identification.fitting import PROFILE_RISE
+from springback.identification.profiles import PROFILE_RISE
 from springback.identification.report.profiles import ProfileCurve
 from springback.interfaces.figures.chart import Chart
 from springback.interfaces.figures.fits.readings import WIDTH
@@ -23,7 +23,7 @@ from springback.interfaces.output.robots import BLUE, GREY, INK
 from springback.logs.recording import Array
 
 #: Highest 2 Δ ln L shown (chosen).
-HIGHEST = 7.0
+HIGHEST = 5.0
 #: Panels beside each other, and height of each [in].
 BESIDE, TALL = 2, 1.75
 #: Impacts that are named in a legend at most (chosen).
