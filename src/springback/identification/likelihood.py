@@ -243,8 +243,8 @@ class ImpactProblem:
             arms = range(1, width + 1)
             lengths = samples.of(*(f"arm_length.{j}" for j in arms))
             rates = samples.of(*(f"arm_rate.{j}" for j in arms))
-            free = np.array(self.scenario.vehicle.lengths())[:width]
-            return between.positions(lengths - free, rates)
+            # Of before, as readings are.
+            return between.positions(lengths - lengths[:, :1], rates)
         if one.quantity == VELOCITY:
             return between.linear(samples.vectors("velocity"))
         place = between.positions(samples.vectors("position"), samples.vectors("velocity"))

@@ -20,6 +20,7 @@ from springback.scenario.source_text import source_text, toml_tables
 
 #: Names of the files.
 IDENTIFIED, POSTERIOR, SUMMARY = "identified.toml", "posterior.parquet", "fit.json"
+REPORT = "report.html"
 #: Draws of the posterior (chosen).
 DRAWS = 1000
 

@@ -14,6 +14,7 @@ from springback.campaign.design.distributions import (
     LevelSet,
     NormalDistribution,
     NormalFactor,
+    PosteriorColumn,
     UniformDistribution,
 )
 from springback.campaign.design.plan import FROM, MOST_LEVELS, Plan, Vary
@@ -59,6 +60,11 @@ class Dimension:
     """True if it is multiplied by the drawn value instead."""
 
     @property
+    def joint(self) -> bool:
+        """True for a field of a posterior, whose row is drawn as one."""
+        return isinstance(self.law, PosteriorColumn)
+
+    @property
     def scatter(self) -> bool:
         """True for a scattered dimension."""
         return self.slot >= 0
@@ -96,6 +102,43 @@ class VariedField(NamedTuple):
     dimension: Dimension
     extremes: Extremes
     goal: TargetField
+
+
+def posterior_dimensions(
+    plan: Plan, scenarios: tuple[Scenario, ...], blame: Blame
+) -> list[VariedField]:
+    """Dimensions of a plan's posterior; problems are recorded.
+
+    Args:
+        plan: With its posterior read.
+        scenarios: Scenario of each robot.
+        blame: Called with problems.
+    """
+    if plan.posterior is None:
+        return []
+    found, units = list[VariedField](), plan.posterior.units
+    for name, draws in sorted(plan.posterior.draws.items()):  # as stored
+        try:
+            goal, *_ = [target(name, scenario) for scenario in scenarios]
+        except InputError as error:
+            blame(("posterior",), f"{name}: {error}")
+            continue
+        number = goal.number
+        if number is None or number.whole or goal.relative:
+            blame(("posterior",), f"{name}: is no number that a posterior can have")
+            continue
+        if units.get(name, number.unit) != number.unit:
+            blame(
+                ("posterior",),
+                f"{name}: is in {units[name] or 'no unit'}, the scenario's in "
+                f"{number.unit or 'no unit'}",
+            )
+            continue
+        law, table = PosteriorColumn(draws), str(goal.path[0])
+        one = Dimension(goal.column, number.unit, law, table, goal.place)
+        ends = tuple((("posterior",), end) for end in (min(draws), max(draws)))
+        found.append(VariedField(one, ends, goal))
+    return found
 
 
 def _is_number(value: Any) -> bool:

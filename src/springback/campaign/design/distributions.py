@@ -41,6 +41,20 @@ class LevelSet:
 
 
 @dataclass(frozen=True)
+class PosteriorColumn:
+    """Draws of one field of a posterior; all its fields are given the same numbers."""
+
+    draws: tuple[float, ...]
+
+    levels: int = 0
+
+    def of(self, us: Numbers) -> list[Any]:
+        """Values of the rows at numbers from [0, 1)."""
+        last = len(self.draws) - 1
+        return [self.draws[min(int(u * (last + 1)), last)] for u in us.tolist()]
+
+
+@dataclass(frozen=True)
 class UniformDistribution:
     """Uniform between two values, or in their logarithm."""
 

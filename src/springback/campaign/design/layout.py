@@ -17,6 +17,7 @@ from springback.campaign.design.dimensions import (
     Dimension,
     Extremes,
     VariedField,
+    posterior_dimensions,
     scatter_dimensions,
     varied_dimension,
 )
@@ -220,27 +221,27 @@ def _numbers(
     """Function from sample number, counted from ``begin``, and repeat to seed and values."""
     plan, dimensions = design.plan, design.dimensions
     grid = plan.method == "grid"
-    gridded = [k for k, d in enumerate(dimensions) if not d.scatter and (d.law.levels or not grid)]
-    drawn = [k for k, d in enumerate(dimensions) if not d.scatter and k not in gridded]
-    sizes = tuple(dimensions[k].law.levels for k in gridded)
+    axes = _axes(dimensions)
+    gridded = [one for one in axes if dimensions[one[0]].law.levels or not grid]
+    drawn = [one for one in axes if one not in gridded]
+    sizes = tuple(dimensions[one[0]].law.levels for one in gridded)
     points: Numbers | None = None
     if not grid:
         points = POINTS[plan.method](plan.seed, design.samples, len(gridded), begin, count)
 
-    gridded_values: list[list[Any]] = []
+    given: dict[int, list[Any]] = {}
     if points is None:
         levels = [grid_point(begin + k, sizes) for k in range(count)]
-        gridded_values = [[point[j] for point in levels] for j in range(len(gridded))]
+        given = {k: [point[j] for point in levels] for j, [k] in enumerate(gridded)}
     else:
-        gridded_values = [dimensions[k].law.of(points[:, j]) for j, k in enumerate(gridded)]
+        given = _values(dimensions, gridded, points)
 
     @functools.cache
     def values(repeat: int) -> tuple[list[int], list[tuple[Any, ...]]]:
         """Seeds and values of one repeat of these samples."""
         scatter = uniform_rows(plan.seed, (Purpose.SCATTER, repeat), begin, count, SLOTS)
         more = uniform_rows(plan.seed, (Purpose.DRAWN, repeat), begin, count, len(drawn))
-        found: dict[int, list[Any]] = dict(zip(gridded, gridded_values, strict=True))
-        found |= {k: dimensions[k].law.of(more[:, j]) for j, k in enumerate(drawn)}
+        found = given | _values(dimensions, drawn, more)
         for k, one in enumerate(dimensions):
             if one.scatter:
                 found[k] = one.law.of(scatter[:, one.slot])
@@ -249,6 +250,20 @@ def _numbers(
         return numbers, list(rows) if dimensions else [()] * count
 
     return lambda k, repeat: (values(repeat)[0][k], values(repeat)[1][k])
+
+
+def _axes(dimensions: Sequence[Dimension]) -> list[list[int]]:
+    """Sampled dimensions by the random number that they take: those of a posterior take one."""
+    alone = [[k] for k, one in enumerate(dimensions) if not one.scatter and not one.joint]
+    joint = [k for k, one in enumerate(dimensions) if one.joint]
+    return [*alone, joint] if joint else alone
+
+
+def _values(
+    dimensions: Sequence[Dimension], axes: Sequence[Sequence[int]], points: Numbers
+) -> dict[int, list[Any]]:
+    """Values of dimensions at points, shape (points, axes)."""
+    return {k: dimensions[k].law.of(points[:, j]) for j, one in enumerate(axes) for k in one}
 
 
 @functools.lru_cache(maxsize=4)
@@ -283,7 +298,8 @@ def lay_out(plan: Plan, source: Source | None = None, *, tried: bool = True) -> 
     found = [
         varied_dimension(k, entry, plan, scenarios, blame) for k, entry in enumerate(plan.vary)
     ]
-    fields = [one for one in found if one is not None]
+    joint = posterior_dimensions(plan, scenarios, blame)
+    fields = [*(one for one in found if one is not None), *joint]
     noise_stream: list[Dimension] = []
     try:
         noise_stream = (
@@ -292,7 +308,7 @@ def lay_out(plan: Plan, source: Source | None = None, *, tried: bool = True) -> 
     except InputError as error:
         blame(("scatter",), str(error))
     dimensions = [one.dimension for one in fields]
-    _check_columns(plan, found, blame)
+    _check_columns(plan, found, joint, blame)
     if noise_stream or any(one.table == "world" for one in dimensions):
         world = in_numbers(bases[0], scenarios[0])
         shared = {key: table for key, table in world.items() if key not in OF_A_ROBOT}
@@ -394,6 +410,7 @@ def _check_base(base: Tables, robot: str, plan: Plan, where: Source) -> Scenario
 def _check_columns(
     plan: Plan,
     found: Sequence[VariedField | None],
+    joint: Sequence[VariedField],
     blame: Blame,
 ) -> None:
     """Reject fields given twice, and columns of the same name."""
@@ -415,6 +432,14 @@ def _check_columns(
             blame(("vary", k, "name" if entry.name else "field"), what)
         fields.setdefault(field, k)
         taken.setdefault(column.lower(), f"is that of entry {k + 1}, too")
+    for one in joint:
+        column = one.dimension.column
+        if (*one.goal.path, False) in fields:
+            there = fields[(*one.goal.path, False)] + 1
+            blame(("posterior",), f"{column}: is varied by entry {there} of vary, too")
+        elif column.lower() in taken:
+            blame(("posterior",), f"{column!r} as a name of a column {taken[column.lower()]}")
+        taken.setdefault(column.lower(), "is that of another field, too")
 
 
 def _try_out(

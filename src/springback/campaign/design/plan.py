@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
+import contextlib
 import hashlib
 import json
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, ValidationError, ValidationInfo, model_validator
 
+from springback.campaign.design.posterior import Posterior, existing_file, with_overlay
 from springback.errors import InputError, excerpt, shown_value
 from springback.problems import dotted_path, key_path, nearest_name, problem_paths
 from springback.quantities import Unit
@@ -265,6 +267,8 @@ class Plan(Settings):
     """Seed of samples and noise."""
     scenario: dict[str, Any] | str
     """Scenario without variations: tables, or the path of a scenario file."""
+    overlay: str | None = None
+    """Path of values to lay over it, such as ``identified.toml`` of a fit."""
     robots: tuple[str, ...] = ()
     """Presets, `vehicles`, or vehicle files for the scenario's vehicle; by default its own."""
     vehicles: dict[Name, dict[str, Any]] = {}  # noqa: RUF012  # pydantic copies it
@@ -278,6 +282,9 @@ class Plan(Settings):
     repeats: Count = 1
     """Flights of each sample and robot, with different sensor noise and scatter."""
     vary: tuple[Vary, ...] = ()
+    posterior: Posterior | None = None
+    """Path of a posterior, such as ``posterior.parquet`` of a fit, or a table: a whole row of its
+    fields is drawn for each sample."""
     scatter: ScatterSettings | None = None
     success: Annotated[str | tuple[str, ...] | None, BeforeValidator(_conditions)] = None
     """Condition of success on the columns of a row: a text is SQL; a list has conditions in words,
@@ -328,7 +335,8 @@ class Plan(Settings):
 
     def digest(self) -> str:
         """SHA-256 of everything that affects the flights, without ``name`` and ``keep``."""
-        data = self.model_dump(mode="json", exclude={"name", "keep"})
+        absent = {key for key in ("overlay", "posterior") if getattr(self, key) is None}
+        data = self.model_dump(mode="json", exclude={"name", "keep", *absent})
         text = json.dumps(data, sort_keys=True, ensure_ascii=False, allow_nan=False)
         return hashlib.sha256(text.encode()).hexdigest()
 
@@ -377,7 +385,25 @@ def _with_tables(given: dict[str, Any], folder: Path, source: Source) -> dict[st
     """A raw plan with the tables of its scenario if overrides refer to them."""
     if not isinstance(given.get("scenario"), str):
         return given
-    return {**given, "scenario": _scenario_tables(folder, given["scenario"], source)}
+    tables = _scenario_tables(folder, given["scenario"], source)
+    if not isinstance(given.get("overlay"), str):
+        return {**given, "scenario": tables}
+    tables = _overlaid(tables, folder, given["overlay"], source)
+    return {**{key: value for key, value in given.items() if key != "overlay"}, "scenario": tables}
+
+
+def _overlaid(tables: dict[str, Any], folder: Path, name: str, source: Source) -> dict[str, Any]:
+    with _blaming(source, "overlay"):
+        return with_overlay(tables, folder / name)
+
+
+@contextlib.contextmanager
+def _blaming(source: Source, *path: str | int) -> Iterator[None]:
+    """Name an entry of the plan in problems that arise within."""
+    try:
+        yield
+    except InputError as error:
+        raise InputError(*(source.problem_line(path, line) for line in error.problems)) from None
 
 
 def plan_from(given: dict[str, Any], source: Source | None = None) -> Plan:
@@ -417,6 +443,12 @@ def with_scenario(plan: Plan, folder: Path, source: Source) -> Plan:
         tables = _scenario_tables(folder, plan.scenario, source)
     else:
         tables = with_absolute_names(plan.scenario, folder)
+    if plan.overlay is not None:
+        tables = _overlaid(tables, folder, plan.overlay, source)
+    posterior = plan.posterior
+    if posterior is not None:
+        with _blaming(source, "posterior"):
+            posterior = posterior.with_file_read(folder)
     tables = with_contents(tables)
     vehicle = tables.get("vehicle")
     word = vehicle.get("preset") if isinstance(vehicle, dict) else vehicle
@@ -430,15 +462,14 @@ def with_scenario(plan: Plan, folder: Path, source: Source) -> Plan:
         one if one.code is None else one.with_checked(code=absolute_code(one.code, folder))
         for one in plan.pilots
     )
-    return _with_vehicles(plan.with_checked(scenario=tables, pilots=pilots), folder, source)
+    whole = {"scenario": tables, "overlay": None, "posterior": posterior, "pilots": pilots}
+    return _with_vehicles(plan.with_checked(**whole), folder, source)
 
 
 def _second_tables(given: Any, source: Source) -> Any:
     """Raw second vehicle, its files replaced by their tables, without a seed of its own."""
-    try:
+    with _blaming(source, "scenario", "second"):
         tables = second_tables(given)
-    except InputError as error:
-        raise InputError(source.problem_line(("scenario", "second"), str(error))) from None
     if not isinstance(tables, dict):
         return tables
     return {key: value for key, value in tables.items() if key != "seed"}
@@ -449,10 +480,8 @@ def _with_vehicles(plan: Plan, folder: Path, source: Source) -> Plan:
     robots, vehicles = list(plan.robots), dict(plan.vehicles)
     for k, robot in enumerate(robots):
         if is_vehicle_file(robot):
-            try:
+            with _blaming(source, "robots", k):
                 table = read_vehicle(folder / robot)
-            except InputError as error:
-                raise InputError(source.problem_line(("robots", k), str(error))) from None
             robots[k] = str(table["name"])
             if robots[k] in vehicles or robots.count(robots[k]) > 1 or robots[k] in VEHICLES:
                 what = f"{robot} has the name of another vehicle, {robots[k]!r}; give it another"
@@ -464,12 +493,7 @@ def _with_vehicles(plan: Plan, folder: Path, source: Source) -> Plan:
 def _scenario_tables(folder: Path, name: str, source: Source) -> dict[str, Any]:
     """Raw tables of a plan's scenario file."""
     path = folder / name
-    try:
-        there = path.is_file()
-    except (OSError, ValueError):  # an impossible file name
-        there = False
-    if not there:
-        what = f"there is no file {excerpt(str(path))}"
-        raise InputError(source.problem_line(("scenario",), what))
+    with _blaming(source, "scenario"):
+        existing_file(path)
     read_scenario(path, pilot=False)  # for errors that name its lines
     return with_absolute_names(toml_tables(source_text(path), str(path)), path.parent)

@@ -155,6 +155,7 @@ def _law_text(one: Dimension) -> str:
         LevelSet,
         NormalDistribution,
         NormalFactor,
+        PosteriorColumn,
         UniformDistribution,
     )
 
@@ -163,6 +164,9 @@ def _law_text(one: Dimension) -> str:
         shown = [f"{v:.6g}" if isinstance(v, float) else str(v) for v in law.values]
         few = shown if len(shown) <= 8 else [*shown[:3], "...", *shown[-2:]]
         return f"{', '.join(few)} ({len(shown)} values)"
+    if isinstance(law, PosteriorColumn):
+        low, high = min(law.draws), max(law.draws)
+        return f"{low:.6g} to {high:.6g}, {len(law.draws)} rows of a posterior"
     if isinstance(law, UniformDistribution):
         spacing = " (logarithmic)" if law.logarithmic else ""
         return f"{law.first:.6g} to {law.last:.6g}{factor}{spacing}"

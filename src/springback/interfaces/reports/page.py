@@ -236,6 +236,7 @@ def page(title: str, sections: Sequence[Section], lead: str) -> str:
         trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True,
     )  # fmt: skip
     environment.filters["symbols"] = _symbols
+    environment.filters["breakable"] = _breakable
     template = environment.get_template("report.html.j2")
     return template.render(title=title, lead=lead, sections=sections)
 
@@ -245,6 +246,11 @@ def _symbols(text: str) -> Markup:
     known = r"\b([abceklmpvI])_(a|b|c|l|n|r|max|rigid|x|y|z|xx|yy|zz)\b"
     signed = re.sub(r"(?<![\w.)-])-(?=\d)", "−", str(escape(text)))
     return Markup(re.sub(known, r"<var>\1<sub>\2</sub></var>", signed))
+
+
+def _breakable(text: str) -> Markup:
+    """Escaped text whose lines may end after a dot, which copying does not show."""
+    return Markup("<wbr>".join(str(escape(part)) for part in re.split(r"(?<=\w\.)(?=[a-z])", text)))
 
 
 def decimal(value: float | None, decimals: int) -> str:

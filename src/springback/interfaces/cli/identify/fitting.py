@@ -39,6 +39,7 @@ def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
     from springback.identification.results_files import (
         IDENTIFIED,
         POSTERIOR,
+        REPORT,
         SUMMARY,
         as_data,
         write_files,
@@ -46,11 +47,16 @@ def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
     from springback.identification.settings import read_fit_plan
 
     ready = read_fit_plan(plan, overrides)
-    with output.folder((IDENTIFIED, POSTERIOR, SUMMARY)) as folder:
+    with output.folder((IDENTIFIED, POSTERIOR, SUMMARY, REPORT)) as folder:
         with output.progress_bar("fitting") as progress:
             result = carry_out(ready, plan.parent, progress=progress)
-        written = write_files(result, folder)
-    output.print(as_data(result), fit_text(result))
+        written, data, text = write_files(result, folder), as_data(result), fit_text(result)
+        if output.wants_figures():
+            from springback.interfaces.reports.fit_page import write_report
+
+            with output.spinner("drawing the report"):
+                written.append(write_report(result, folder))
+    output.print(data, text)
     output.note_written(written)
     if not result.learned:
         sys.exit(1)

@@ -1,0 +1,1 @@
+"""What the report of a fit shows beyond its numbers: profiles, replays, assumptions."""
