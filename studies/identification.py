@@ -20,10 +20,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.identification.coverage import SetOutcome, coverage_of, fitted_set
+from springback.identification.design.coverage import SyntheticFit, coverage_of, fitted_set
 from springback.identification.fits import fields_of_plan
-from springback.identification.pooling import pooled
 from springback.identification.settings import FitPlan
+from springback.identification.solving.pooling import pool
 from springback.logs.recording import ARM_LENGTH, POSITION, SPECIFIC_FORCE, Recording
 from springback.scenario.scenario import scenario_from
 
@@ -39,8 +39,8 @@ class Row(NamedTuple):
     vehicle: str
     speed: float  # [m/s]
     text: str
-    spoil: str = ""
-    plan: dict[str, Any] = {}
+    corrupt: str = ""
+    plan: dict[str, Any] | None = None
     noise: float = 0.5 / 500.0**0.5  # of the accelerometer: 0.5 m/s² a sample at 1 kHz
 
 
@@ -93,11 +93,11 @@ def plan_of(row: Row) -> FitPlan:
         free |= {"vehicle.arms.stiffness": "factor 4", "vehicle.arms.damping": "factor 4"}
         exact["vehicle.arms.mass"] = "exact"
     return FitPlan.model_validate(
-        {"scenario": "rig.toml", "free": free, "known": exact, **row.plan}
+        {"scenario": "rig.toml", "free": free, "known": exact, **(row.plan or {})}
     )
 
 
-def spoiled(recording: Recording, how: str, seed: int) -> Recording:
+def corrupted(recording: Recording, how: str, seed: int) -> Recording:
     """A recording as a sensor that the plan does not know would give it."""
     channels = []
     generator = np.random.default_rng(seed)
@@ -139,13 +139,13 @@ def _rotor_noise(times: Any, generator: np.random.Generator) -> Any:
     return lines + band / band.std() * (25.0 - 4.0) ** 0.5
 
 
-def one_set(given: tuple[str, int]) -> SetOutcome:
+def one_set(given: tuple[str, int]) -> SyntheticFit:
     """One set of a row."""
     name, seed = given
     row = ROWS[name]
     base, plan = tables(row), plan_of(row)
     fields = fields_of_plan(plan, scenario_from(copy.deepcopy(base)))
-    return fitted_set(plan, base, fields, seed, spoil=lambda r: spoiled(r, row.spoil, seed))
+    return fitted_set(plan, base, fields, seed, corrupt=lambda r: corrupted(r, row.corrupt, seed))
 
 
 def scattered_set(seed: int) -> dict[str, float]:
@@ -159,12 +159,12 @@ def scattered_set(seed: int) -> dict[str, float]:
         truth = copy.deepcopy(base)
         truth["world"]["obstacles"][0]["surface"]["stiffness"] = float(np.exp(logarithm))
         one = fitted_set(plan, base, fields, IMPACTS * seed + k, truth=truth,
-                         spoil=lambda r: spoiled(r, "", 0))  # fmt: skip
+                         corrupt=lambda r: corrupted(r, "", 0))  # fmt: skip
         if one.problem:
             continue
         values.append(one.errors[STIFFNESS] * fields[0].deviation)
         deviations.append(one.deviations[STIFFNESS] * fields[0].deviation)
-    found = pooled(np.array(values), np.array(deviations))
+    found = pool(np.array(values), np.array(deviations))
     half = 1.96 * found.common_deviation
     return {
         "covered": float(found.low <= 0.0 <= found.high),
@@ -175,7 +175,7 @@ def scattered_set(seed: int) -> dict[str, float]:
     }  # fmt: skip
 
 
-def print_row(name: str, outcomes: Sequence[SetOutcome]) -> None:
+def print_row(name: str, outcomes: Sequence[SyntheticFit]) -> None:
     """Print a row of the table."""
     row = ROWS[name]
     fields = fields_of_plan(plan_of(row), scenario_from(tables(row)))

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from springback.identification.fits import fields_of_plan
-from springback.identification.likelihood import ImpactProblem
-from springback.identification.readings import impact_readings
+from springback.identification.observations.likelihood import ImpactProblem
+from springback.identification.observations.windows import impact_window
 from springback.identification.settings import FitPlan
 from springback.logs.recording import ARM_LENGTH, Recording
 from springback.logs.segments import find_impacts
@@ -54,11 +54,15 @@ def problem_of(
     tables: dict[str, Any], recording: Recording, free: dict[str, str], **plan: Any
 ) -> ImpactProblem:
     """Likelihood of the first impact of a recording."""
-    known = {name: doubt for name, doubt in EXACT.items() if name not in plan.get("known", {})}
+    known = {
+        name: uncertainty
+        for name, uncertainty in EXACT.items()
+        if name not in plan.get("known", {})
+    }
     ready = FitPlan.model_validate(
         {"scenario": "rig.toml", "free": free, **plan, "known": known | plan.get("known", {})}
     )
     scenario = scenario_from(copy.deepcopy(tables))
     [impact] = [one for one in find_impacts([recording]) if not one.refused][:1]
-    readings = impact_readings(ready, scenario, [recording], impact)
+    readings = impact_window(ready, scenario, [recording], impact)
     return ImpactProblem(ready, scenario, tables, fields_of_plan(ready, scenario), readings)

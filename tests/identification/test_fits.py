@@ -18,9 +18,8 @@ from identification.rigs import (
     recorded,
     rig,
 )
-from springback.identification.coverage import coverage_of, fitted_set
+from springback.identification.design.coverage import coverage_of, fitted_set
 from springback.identification.fits import FitResult, fields_of_plan, fit, result_of
-from springback.identification.fitting import ImpactFit, fit_impact
 from springback.identification.results_files import (
     as_data,
     draws,
@@ -28,6 +27,7 @@ from springback.identification.results_files import (
     overlay_words,
 )
 from springback.identification.settings import FitPlan, read_fit_plan
+from springback.identification.solving.fitting import ImpactFit, fit_impact
 from springback.interfaces.cli.app import cli
 from springback.scenario.scenario import scenario_from
 
@@ -37,11 +37,11 @@ ARQ = QUAD | {SPRING: "factor 4", DAMPER: "factor 4"}
 
 
 def fitted(
-    free: dict[str, str], *, spoil=None, starts: int = 4, vehicle="quad", speed=1.85, **plan
+    free: dict[str, str], *, corrupt=None, starts: int = 4, vehicle="quad", speed=1.85, **plan
 ):
     tables = rig(vehicle, speed)
     recording = recorded(tables)
-    problem = problem_of(tables, recording if spoil is None else spoil(recording), free, **plan)
+    problem = problem_of(tables, recording if corrupt is None else corrupt(recording), free, **plan)
     return fit_impact(problem, starts=starts, seed=0)
 
 
@@ -72,7 +72,7 @@ def test_truth_is_within_narrow_intervals(name: str, request: pytest.FixtureRequ
         assert error < most.get(one.unknown.name, 0.022)
     assert not any(one.is_misfit for one in found.misfits)
     assert found.fits[0].agreeing >= 4
-    assert found.learned
+    assert found.is_informative
 
 
 def test_profiles_rise_by_what_the_ends_say(arq: FitResult) -> None:
@@ -108,7 +108,7 @@ def test_errors_of_the_model_are_said(arq: FitResult) -> None:
         ]
         return replace(recording, channels=tuple(channels))
 
-    found = result(fitted(ARQ, vehicle="arq", spoil=larger))
+    found = result(fitted(ARQ, vehicle="arq", corrupt=larger))
     assert any(text.startswith("misfit") for text in found.sentences)
     assert not any(text.startswith("misfit") for text in arq.sentences)
 
@@ -121,7 +121,7 @@ def test_what_a_camera_alone_cannot_tell_is_not_learned() -> None:
         kept = [one for one in recording.channels if one.clock != "log"]
         return replace(recording, channels=tuple(kept))
 
-    found = result(fitted({STIFFNESS: "factor 1.4", LOSS: "factor 4"}, spoil=track_only))
+    found = result(fitted({STIFFNESS: "factor 1.4", LOSS: "factor 4"}, corrupt=track_only))
     verdicts = {one.unknown.name: one.verdict for one in found.estimates}
     assert verdicts[LOSS] == "learned"
     assert verdicts[STIFFNESS] != "learned"
@@ -130,7 +130,7 @@ def test_what_a_camera_alone_cannot_tell_is_not_learned() -> None:
     assert "samples of a contact" in why
 
 
-def test_stiffness_inherits_the_doubt_of_mass() -> None:
+def test_stiffness_inherits_the_uncertainty_of_mass() -> None:
     narrow = result(fitted(QUAD))
     wide = result(fitted(QUAD, known={"vehicle.body.mass": "+- 2 %"}))
     error = {one.unknown.name: 0.25 * np.log(one.high / one.low) for one in wide.estimates}

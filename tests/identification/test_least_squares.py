@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import least_squares
 
-from springback.identification.least_squares import jacobians, solved
+from springback.identification.solving.least_squares import jacobians, solve
 
 TIMES = np.linspace(0.0, 2.0, 40)
 RNG = np.random.default_rng(3)
@@ -19,7 +19,7 @@ def residuals(points: np.ndarray) -> np.ndarray:
 
 def test_all_starts_reach_the_optimum_of_scipy() -> None:
     starts = RNG.uniform(0.1, 2.5, (6, 3))
-    found = solved(residuals, starts, farthest=6.0)
+    found = solve(residuals, starts, farthest=6.0)
     best = least_squares(lambda x: residuals(x[None])[0], [1.0, 1.0, 1.0], x_scale="jac")
     assert found.converged.all()
     np.testing.assert_allclose(found.points, np.tile(best.x, (6, 1)), rtol=2e-5)
@@ -28,11 +28,11 @@ def test_all_starts_reach_the_optimum_of_scipy() -> None:
 
 def test_numbers_that_are_held_stay_and_bounds_are_kept() -> None:
     held = np.array([[False, True, False], [True, False, False]])
-    found = solved(residuals, np.ones((2, 3)), farthest=2.0, held=held, together=False)
+    found = solve(residuals, np.ones((2, 3)), farthest=2.0, held=held, together=False)
     assert found.points[0, 1] == 1.0
     assert found.points[1, 0] == 1.0
     assert np.abs(found.points).max() <= 2.0
-    free = solved(residuals, np.ones((1, 3)), farthest=2.0)
+    free = solve(residuals, np.ones((1, 3)), farthest=2.0)
     assert free.points[0, 0] == pytest.approx(2.0)  # 3 is out of reach
     alone = least_squares(
         lambda x: residuals(np.array([[2.0, x[0], x[1]]]))[0], [1.0, 0.5], x_scale="jac"
@@ -54,6 +54,6 @@ def test_a_start_that_cannot_be_evaluated_is_left_alone() -> None:
         found[points[:, 1] < -1.0] = np.nan
         return found
 
-    found = solved(refusing, np.array([[1.0, -2.0, 0.0], [1.0, 1.0, 0.0]]), farthest=6.0)
+    found = solve(refusing, np.array([[1.0, -2.0, 0.0], [1.0, 1.0, 0.0]]), farthest=6.0)
     assert list(found.converged) == [False, True]
     assert np.isinf(found.costs[0])

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.signal import lfilter
 
-from springback.identification.noise import estimated_noise, white_noise
+from springback.identification.observations.noise import estimated_noise, white_noise
 
 RNG = np.random.default_rng(5)
 
@@ -38,7 +38,7 @@ def test_whitened_residuals_are_independent_also_after_gaps_and_losses() -> None
     rest[1000:1010] = np.nan
     starts = np.arange(4000) == 0
     starts[2500] = True
-    white = noise.whitened(rest, starts)
+    white = noise.whiten(rest, starts)
     assert not white[1000:1010].any()
     kept = np.delete(white, np.arange(1000, 1010), axis=0)
     assert kept.std() == pytest.approx(1.0, rel=0.03)
@@ -51,13 +51,13 @@ def test_a_sensor_without_noise_has_what_it_resolves() -> None:
     np.testing.assert_array_equal(noise.stationary, 0.02)
     assert np.isinf(noise.freedom)
     given = white_noise(0.5, 3)
-    assert given.refined(np.full((50, 3), 3.0)) is given  # what a user states is not changed
+    assert given.with_residuals(np.full((50, 3), 3.0)) is given  # what a user states is not changed
 
 
 def test_few_samples_are_not_alone_once_residuals_of_a_fit_are_there() -> None:
     noise = estimated_noise(np.arange(24) * 5e-3, 0.5 * RNG.standard_normal((24, 3)), 1e-3)
     rest = RNG.standard_normal((400, 3))  # true deviation 1, twice what is assumed
     white = rest / noise.innovation
-    better = noise.refined(white)
+    better = noise.with_residuals(white)
     assert better.innovation.mean() == pytest.approx(1.0, rel=0.1)
     assert better.freedom == noise.freedom + white.size

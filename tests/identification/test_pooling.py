@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from springback.identification.pooling import pooled
+from springback.identification.solving.pooling import pool
 
 #: Trials of the BCG vaccine (Colditz et al., JAMA 271, 1994): cases and others among vaccinated,
 #: then among controls.  Every program for random effects is checked by them.
@@ -20,7 +20,7 @@ def test_random_effects_are_those_of_published_trials() -> None:
     a, b, c, d = BCG.T
     risk = np.log(a / (a + b)) - np.log(c / (c + d))
     variance = 1.0 / a - 1.0 / (a + b) + 1.0 / c - 1.0 / (c + d)
-    found = pooled(risk, np.sqrt(variance))
+    found = pool(risk, np.sqrt(variance))
     assert found.value == pytest.approx(-0.7145, abs=5e-5)
     assert found.scatter**2 == pytest.approx(0.3132, abs=2e-4)
     assert found.heterogeneity < 1e-4  # Q = 152.23 of 12
@@ -35,7 +35,7 @@ def test_intervals_cover_with_scatter_where_pooling_without_does_not() -> None:
     for _ in range(300):
         deviations = rng.uniform(0.003, 0.008, 5)
         values = 0.10 * rng.standard_normal(5) + deviations * rng.standard_normal(5)
-        found = pooled(values, deviations)
+        found = pool(values, deviations)
         covered += found.low <= 0.0 <= found.high
         without += abs(found.common) <= 1.96 * found.common_deviation
         warned += found.heterogeneity < 0.05
@@ -46,9 +46,9 @@ def test_intervals_cover_with_scatter_where_pooling_without_does_not() -> None:
 
 def test_intervals_cover_without_scatter_too() -> None:
     rng = np.random.default_rng(9)
-    found = [pooled(0.01 * rng.standard_normal(5), np.full(5, 0.01)) for _ in range(300)]
+    found = [pool(0.01 * rng.standard_normal(5), np.full(5, 0.01)) for _ in range(300)]
     assert np.mean([one.low <= 0.0 <= one.high for one in found]) > 0.93
     assert np.mean([one.heterogeneity < 0.05 for one in found]) < 0.09
-    alone = pooled(np.array([0.1, 0.3]), np.array([0.1, 0.2]), scatter=False)
+    alone = pool(np.array([0.1, 0.3]), np.array([0.1, 0.2]), scatter=False)
     assert alone.value == pytest.approx((10.0 + 0.3 / 0.04) / (100.0 + 25.0))
     assert alone.without == pytest.approx((0.3, 0.1))

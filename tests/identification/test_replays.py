@@ -1,4 +1,4 @@
-"""Replays of recordings: of our own flights within the doubt, of wrong models beyond it."""
+"""Replays of recordings: of our own flights within the uncertainty, of wrong models beyond it."""
 
 from __future__ import annotations
 
@@ -15,8 +15,9 @@ from click.testing import CliRunner
 
 from builders.recordings import GRAVITY, acceleration_at, attitude_at, rate_at, track_at
 from springback.errors import InputError
-from springback.identification.noise import white_noise
-from springback.identification.readings import Reading
+from springback.identification.observations.initial_state import InitialState
+from springback.identification.observations.noise import white_noise
+from springback.identification.observations.windows import ChannelWindow
 from springback.identification.replays.errors import (
     STROKE,
     TOUCH,
@@ -28,7 +29,6 @@ from springback.identification.replays.errors import (
 from springback.identification.replays.replay import Replay, ReplayOptions, replay
 from springback.identification.replays.start import measured_start
 from springback.identification.settings import FitSensors, StartFit
-from springback.identification.starts import StartGuess
 from springback.interfaces.cli.app import cli
 from springback.logs.frame_turns import conjugate, product, rotation_vector, world_vectors
 from springback.logs.reading import read_recording
@@ -86,32 +86,32 @@ def row_of(rows: list[ErrorRow], what: str, wanted: float | None = None) -> Erro
     return found
 
 
-def test_a_flight_is_within_the_doubt_of_its_own_record() -> None:
+def test_a_flight_is_within_the_uncertainty_of_its_own_record() -> None:
     flown, rows = replayed("rig")
-    assert max(row.doubts for row in rows) < 3.5
+    assert max(row.uncertainties for row in rows) < 3.5
     assert {row.wanted for row in rows} == {None, 0.0, 0.05, 0.1, 0.2, 0.3}
     late = row_of(rows, POSITION, 0.2)
     assert late.time == pytest.approx(0.2, abs=0.003)
-    assert 0.0005 < late.doubt < 0.002  # half a millimetre each axis
-    assert row_of(rows, TOUCH).doubt < 0.003
+    assert 0.0005 < late.uncertainty < 0.002  # half a millimetre each axis
+    assert row_of(rows, TOUCH).uncertainty < 0.003
     assert flown.touch == pytest.approx(0.1, abs=0.002)
     assert flown.flight_tables()["sensors"] == SENSORS
 
 
-def test_arms_twice_as_stiff_are_pressed_less_than_recorded_beyond_the_doubt() -> None:
+def test_arms_twice_as_stiff_are_pressed_less_than_recorded_beyond_the_uncertainty() -> None:
     stiffness = 2.0 * float(scenario_from(RIG).vehicle.arms.stiffness)  # type: ignore[arg-type]
     _, rows = replayed("rig", f"vehicle.arms.stiffness={stiffness}")
     stroke = row_of(rows, STROKE)
-    assert stroke.error < -5.0 * stroke.doubt
+    assert stroke.error < -5.0 * stroke.uncertainty
     assert row_of(rows, POSITION, 0.2).is_beyond
-    assert "beyond twice the doubt" in verdict(rows)
+    assert "beyond twice the uncertainty" in verdict(rows)
 
 
 def test_a_log_of_another_format_tells_the_same(tmp_path: Path) -> None:
     write_recording(recorded("rig"), tmp_path / "own.ulg")
     flown, rows = replayed("rig", log=read_recording(tmp_path / "own.ulg"))
     _, own = replayed("rig")
-    assert max(row.doubts for row in rows) < 3.5
+    assert max(row.uncertainties for row in rows) < 3.5
     for what, wanted in ((POSITION, 0.05), (POSITION, 0.2)):
         a, b = row_of(rows, what, wanted), row_of(own, what, wanted)
         assert a.error == pytest.approx(b.error, abs=2e-4)
@@ -130,16 +130,16 @@ def test_an_obstacle_elsewhere_is_seen_in_the_touch_and_aligned() -> None:
     assert abs(row_of(rows, TOUCH).error) < 1e-4
     assert flown.told[-1].startswith("start moved by 2")
     assert "ahead along its velocity" in flown.told[-1]
-    assert row_of(rows, POSITION, 0.2).doubts < 3.5
+    assert row_of(rows, POSITION, 0.2).uncertainties < 3.5
 
 
-def test_a_free_flight_under_logged_thrusts_is_within_the_doubt() -> None:
+def test_a_free_flight_under_logged_thrusts_is_within_the_uncertainty() -> None:
     own, scenario = recorded("free"), scenario_from(FREE)
     t = np.arange(0.0, 0.75, 0.005)
     hover = scenario.flight_model().thrust
     speeds = log_channel("own", "esc", ROTOR_SPEED, t, np.tile(np.sqrt(hover) * 500.0, (len(t), 1)))
     flown, rows = replayed("free", log=replace(own, channels=(*own.channels, speeds)))
-    assert max(row.doubts for row in rows if row.part == "all") < 3.5
+    assert max(row.uncertainties for row in rows if row.part == "all") < 3.5
     assert {row.what for row in rows} >= {POSITION, ATTITUDE, ANGULAR_VELOCITY}
     thrust = flown.problem.impact.thrust
     assert thrust is not None
@@ -163,7 +163,7 @@ def test_the_pilot_is_left_out_and_said() -> None:
 # -- start and thrusts ----------------------------------------------------------------------------
 
 
-def test_the_start_is_met_to_its_doubt() -> None:
+def test_the_start_is_met_to_its_uncertainty() -> None:
     """Over noise the errors have the deviation that is told, of a flight that turns."""
     generator, touch, at = np.random.default_rng(5), 0.3, 0.15
     sigma = {POSITION: 1e-3, ATTITUDE: 2e-3, ANGULAR_VELOCITY: 0.02, SPECIFIC_FORCE: 0.5}
@@ -175,7 +175,7 @@ def test_the_start_is_met_to_its_doubt() -> None:
     }
     push = acceleration_at(fast, touch=9.0) + GRAVITY
     truth[SPECIFIC_FORCE] = world_vectors(conjugate(attitude_at(fast)), push)
-    home = StartGuess(np.zeros(3), np.zeros(3), np.array([1.0, 0, 0, 0]), np.zeros(3), False)
+    home = InitialState(np.zeros(3), np.zeros(3), np.array([1.0, 0, 0, 0]), np.zeros(3), False)
     middle = np.array([1.0 + at - 1e-4, 1.0 + at, 1.0 + at + 1e-4])
     place = track_at(middle, touch=9.0)
     scores = []
@@ -189,7 +189,9 @@ def test_the_start_is_met_to_its_doubt() -> None:
                 noisy = product(values, np.concatenate([np.ones((len(t), 1)), 0.5 * small], axis=1))
             noise = white_noise(sigma[name], 3)
             first = np.arange(len(times)) == 0
-            readings.append(Reading(name, name, times, noisy, noise, first, SensorChain(), False))
+            readings.append(
+                ChannelWindow(name, name, times, noisy, noise, first, SensorChain(), False)
+            )
         found = measured_start(readings, at, touch, home, StartFit(), FitSensors())
         turn = product(conjugate(attitude_at(middle[1:2])[0]), found.guess.attitude)
         error = np.concatenate([
@@ -246,7 +248,7 @@ def test_a_log_without_a_track_needs_a_start() -> None:
         replayed("rig", "start.velocity=[0, 0, 0]", log=blind)
     flown, rows = replayed("rig", log=blind)
     assert flown.told[0].endswith("from the scenario")
-    assert row_of(rows, TOUCH).doubts < 2.0
+    assert row_of(rows, TOUCH).uncertainties < 2.0
     assert not any(row.what == POSITION for row in rows)
 
 
@@ -292,20 +294,20 @@ def test_the_command_writes_a_flight_and_its_errors(folder: Path) -> None:
     done = run("rig.toml", "--against", "own.ulg", "--with", "found.toml", "--out", "r")
     assert done.exit_code == 0, done.output
     assert done.stdout.startswith("against own.ulg at ")
-    assert "beyond twice the doubt of the measurement" in done.stdout  # arms twice as stiff
+    assert "beyond twice the uncertainty of the measurement" in done.stdout  # arms twice as stiff
     names = {path.name for path in (folder / "r").iterdir()}
     assert names >= {"summary.json", "trajectory.parquet", "against.json", "against.csv",
                      "against.png", "against_curves.csv"}  # fmt: skip
     data = json.loads((folder / "r" / "against.json").read_text())
     rows = list(csv.DictReader((folder / "r" / "against.csv").read_text().splitlines()))
     assert len(rows) == len(data["errors"]) > 20
-    assert float(rows[0]["doubts"]) == pytest.approx(data["errors"][0]["doubts"])
+    assert float(rows[0]["uncertainties"]) == pytest.approx(data["errors"][0]["uncertainties"])
     summary = json.loads((folder / "r" / "summary.json").read_text())
     assert summary["scenario"]["vehicle"]["arms"]["stiffness"] == 9000.0
     assert summary["scenario"]["start"]["velocity"][0] == pytest.approx(1.85, abs=0.02)
     curves = (folder / "r" / "against_curves.csv").read_text().splitlines()
     panels = {row["series"] for row in csv.DictReader(curves)}
-    assert {"recorded x", "predicted x", "difference x", "twice the doubt x"} <= panels
+    assert {"recorded x", "predicted x", "difference x", "twice the uncertainty x"} <= panels
 
 
 @pytest.mark.parametrize(

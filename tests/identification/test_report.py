@@ -9,12 +9,12 @@ import pytest
 
 from builders.rigs import rig_fit
 from springback.identification.fits import FitResult
-from springback.identification.fitting import fit_impact
-from springback.identification.likelihood import ImpactProblem
-from springback.identification.profiles import PRECISE, PROFILE_RISE
+from springback.identification.observations.likelihood import ImpactProblem
 from springback.identification.report.assumptions import assumptions
 from springback.identification.report.profiles import profile_curves
 from springback.identification.report.replays import replays
+from springback.identification.solving.fitting import fit_impact
+from springback.identification.solving.profiles import PRECISE, PROFILE_RISE
 from springback.scenario.overrides import with_value
 
 FRONT = ("vehicle.arms.directions.0", "vehicle.arms.directions.1")
@@ -81,7 +81,7 @@ def test_what_is_assumed_moves_the_result_as_a_further_fit_does(found: FitResult
     assert told["vehicle.body.inertia.2.2"].weight < 0.01  # it cannot turn
     for name in ("vehicle.arms.length", "world.obstacles.0.distance"):
         assert told[name].weight < 0.01  # the start follows
-    assert "vehicle.body.mass" not in told  # it is known to some doubt
+    assert "vehicle.body.mass" not in told  # it is known to some uncertainty
     left, right = (told[name] for name in FRONT)
     for name, shift in left.shifts.items():
         assert shift == pytest.approx(-right.shifts[name], rel=0.02)

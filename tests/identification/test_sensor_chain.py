@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 from identification.rigs import LOSS, STIFFNESS, problem_of, recorded, rig
-from springback.identification.sensor_chain import (
+from springback.identification.observations.sensor_chain import (
     ChannelChain,
     channel_output,
     fine_grid,
-    smoothed,
+    smooth,
 )
 
 GRID = np.arange(0.0, 0.2005, 1e-3)
@@ -80,5 +80,5 @@ def test_smoothing_shifts_nothing_and_halves_at_its_corner() -> None:
     """A second-order Butterworth filter forth and back has gain 1/2 at its corner."""
     t = np.arange(2000) / 200.0
     wave = np.sin(2.0 * np.pi * 12.0 * t)[None, :, None]
-    found = smoothed(wave, 200.0, 12.0)[0, 500:1500, 0]
+    found = smooth(wave, 200.0, 12.0)[0, 500:1500, 0]
     np.testing.assert_allclose(found, 0.5 * wave[0, 500:1500, 0], atol=2e-3)

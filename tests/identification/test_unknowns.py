@@ -1,4 +1,4 @@
-"""Doubts in words become priors; what is none is refused in one line."""
+"""Uncertainties in words become priors; what is none is refused in one line."""
 
 import math
 
@@ -54,7 +54,7 @@ def test_values_go_where_they_belong_and_nowhere_else(scenario: Scenario) -> Non
 @pytest.mark.parametrize(
     ("name", "text", "said"),
     [
-        (STIFFNESS, "about 5", "is no doubt"),
+        (STIFFNESS, "about 5", "is no uncertainty"),
         (STIFFNESS, "factor 0.5", "more than 1"),
         (STIFFNESS, "+- 0 %", "above zero"),
         ("world.obstacles.0.surface.stifness", "factor 5", "stiffness"),
@@ -64,7 +64,9 @@ def test_values_go_where_they_belong_and_nowhere_else(scenario: Scenario) -> Non
         ("start.position.1", "+- 5 %", "above zero"),
     ],
 )
-def test_what_is_no_doubt_is_refused(scenario: Scenario, name: str, text: str, said: str) -> None:
+def test_what_is_no_uncertainty_is_refused(
+    scenario: Scenario, name: str, text: str, said: str
+) -> None:
     with pytest.raises(InputError, match=said) as caught:
         field_unknown(name, text, "free", scenario)
     assert len(caught.value.problems) == 1

@@ -8,8 +8,8 @@ from typing import NamedTuple
 import numpy as np
 import scipy  # submodules are loaded on first use
 
-from springback.identification.fitting import ImpactFit
-from springback.identification.pooling import PooledValue, pooled
+from springback.identification.solving.fitting import ImpactFit
+from springback.identification.solving.pooling import PooledValue, pool
 from springback.identification.unknowns import Unknown
 from springback.logs.recording import Array
 
@@ -19,7 +19,7 @@ NOT_LEARNED, LEARNED = 0.7, 0.3
 
 
 class FieldEstimate(NamedTuple):
-    """A field of the scenario, fitted or known to some doubt."""
+    """A field of the scenario, fitted or known to some uncertainty."""
 
     unknown: Unknown
     value: float  # SI
@@ -78,7 +78,7 @@ def _estimate(unknown: Unknown, fits: Sequence[ImpactFit], scatter: bool) -> Fie
             low, high = profile.low, profile.high
         value = float(unknown.value(points[0]))
         return FieldEstimate(unknown, value, *_ends(unknown, low, high), deviation, None)
-    if unknown.role == "known":  # the same doubt in every impact, not an independent one
+    if unknown.role == "known":  # the same uncertainty in every impact, not an independent one
         mean, deviation = float(points.mean()), float(deviations.min())
         reach = _HALF * deviation
         return FieldEstimate(
@@ -88,7 +88,7 @@ def _estimate(unknown: Unknown, fits: Sequence[ImpactFit], scatter: bool) -> Fie
     # The prior is in every fit: it is taken out of all but one before they are pooled.
     told = np.maximum(1.0 / deviations**2 - 1.0, 1e-6)
     alone = points / deviations**2 / told
-    together = pooled(alone, told**-0.5, scatter=scatter)
+    together = pool(alone, told**-0.5, scatter=scatter)
     deviation = (together.high - together.low) / (2.0 * _HALF)
     ends = _ends(unknown, together.low, together.high)
     return FieldEstimate(unknown, float(unknown.value(together.value)), *ends, deviation, together)

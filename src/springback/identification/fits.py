@@ -8,11 +8,11 @@ from typing import Any, NamedTuple
 
 from springback.errors import InputError
 from springback.identification.estimates import FieldEstimate, field_estimates
-from springback.identification.fitting import ImpactFit, fit_impact
-from springback.identification.likelihood import ImpactProblem
 from springback.identification.misfit import ChannelMisfit, misfits
-from springback.identification.readings import ImpactReadings, impact_readings
+from springback.identification.observations.likelihood import ImpactProblem
+from springback.identification.observations.windows import ImpactWindow, impact_window
 from springback.identification.settings import FitPlan, LoggedFlight, refuse_second_vehicle
+from springback.identification.solving.fitting import ImpactFit, fit_impact
 from springback.identification.unknowns import Unknown, field_unknown
 from springback.identification.wording import sentences
 from springback.logs.reading import LogOptions
@@ -36,7 +36,7 @@ class ReadFlight(NamedTuple):
 
     scenario: Scenario
     tables: dict[str, Any]
-    impacts: tuple[ImpactReadings, ...]
+    impacts: tuple[ImpactWindow, ...]
     refused: tuple[str, ...]  # impacts that cannot be used, with the reason
 
 
@@ -51,7 +51,7 @@ class FitResult(NamedTuple):
     refused: tuple[str, ...]
 
     @property
-    def learned(self) -> bool:
+    def is_informative(self) -> bool:
         """True if any free field was learned, at least partly."""
         return any(
             one.verdict != "not learned" for one in self.estimates if one.unknown.role == "free"
@@ -116,7 +116,7 @@ def _read_flight(
     if not found:
         refused.append(f"{names}: no impact was found; springback identify inspect tells more")
     used = [one for one in (wanted if given.at else found) if not one.refused]
-    impacts = tuple(impact_readings(plan, scenario, recordings, one) for one in used)
+    impacts = tuple(impact_window(plan, scenario, recordings, one) for one in used)
     return ReadFlight(scenario, changed, impacts, tuple(refused))
 
 
@@ -129,17 +129,17 @@ def fields_of_plan(plan: FitPlan, scenario: Scenario) -> list[Unknown]:
     """Free and known fields of a plan.
 
     Raises:
-        InputError: If one is no number of the scenario, or its doubt cannot be read.
+        InputError: If one is no number of the scenario, or its uncertainty cannot be read.
     """
     fields = [field_unknown(name, text, "free", scenario) for name, text in plan.free.items()]
-    for name, text in plan.doubts().items():
+    for name, text in plan.uncertainties().items():
         if name in plan.known or _has(scenario, name):
             fields.append(field_unknown(name, text, "known", scenario))
     return fields
 
 
 def _has(scenario: Scenario, name: str) -> bool:
-    """True if a field that usually is doubted is a single number above zero."""
+    """True if a field that usually is uncertain is a single number above zero."""
     node: Any = scenario
     for key in name.split("."):
         node = getattr(node, key, None)

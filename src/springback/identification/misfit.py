@@ -7,9 +7,9 @@ from typing import Any, NamedTuple
 import numpy as np
 import scipy  # submodules are loaded on first use
 
-from springback.identification.fitting import ImpactFit
-from springback.identification.likelihood import OUTLIER
-from springback.identification.readings import Reading
+from springback.identification.observations.likelihood import OUTLIER
+from springback.identification.observations.windows import ChannelWindow
+from springback.identification.solving.fitting import ImpactFit
 from springback.logs.recording import ANGULAR_VELOCITY, SPECIFIC_FORCE, Array
 
 #: Probability below which a misfit is said (chosen; `springback identify check` tells how often
@@ -59,7 +59,7 @@ def misfits(fit: ImpactFit) -> list[ChannelMisfit]:
     return found
 
 
-def _unclipped(fit: ImpactFit, reading: Reading) -> Any:
+def _unclipped(fit: ImpactFit, reading: ChannelWindow) -> Any:
     """True for samples that are not at the end of the range, where there is no noise."""
     full: float | None = None
     if reading.quantity in (SPECIFIC_FORCE, ANGULAR_VELOCITY):
@@ -74,7 +74,9 @@ def effective_numbers(fit: ImpactFit) -> float:
     return float((1.0 - np.diag(fit.covariance)).sum())
 
 
-def _tested(impact: str, reading: Reading, part: str, white: Array, share: float) -> ChannelMisfit:
+def _tested(
+    impact: str, reading: ChannelWindow, part: str, white: Array, share: float
+) -> ChannelMisfit:
     size = np.abs(white)
     outliers = int((size > OUTLIER).any(axis=1).sum())
     kept = white[(size <= OUTLIER).all(axis=1)] if reading.other_clock else white

@@ -1,4 +1,4 @@
-"""Files of a fit: an overlay of scenarios with values and doubts, and draws of the posterior."""
+"""Files of a fit: values and uncertainties as an overlay, and draws of the posterior."""
 
 from __future__ import annotations
 
@@ -34,12 +34,13 @@ def as_data(result: FitResult) -> dict[str, Any]:
     """A fit as plain data."""
     return {
         "name": result.plan.name,
-        "learned": result.learned,
+        "learned": result.is_informative,
         "estimates": [
             {
                 "field": one.unknown.name, "role": one.unknown.role, "value": one.value,
                 "low": finite(one.low), "high": finite(one.high), "unit": one.unknown.unit,
-                "prior": list(one.prior), "doubt": one.unknown.doubt, "verdict": one.verdict,
+                "prior": list(one.prior), "uncertainty": one.unknown.uncertainty,
+                "verdict": one.verdict,
                 "share_of_prior": one.deviation,
                 "scatter": None if one.pooled is None else one.pooled.scatter
                 * one.unknown.deviation,
@@ -83,7 +84,7 @@ def draws(result: FitResult, count: int = DRAWS) -> Array:
     """Draws of all fields for a next impact [SI], shape (draws, fields).
 
     One impact: the posterior by Laplace, correlations included.  Several: the values that they tell
-    together, with the scatter from impact to impact; known fields by their doubt.
+    together, with the scatter from impact to impact; known fields by their uncertainty.
     """
     generator = stream(result.plan.seed, Purpose.SCATTER)
     normal = generator.standard_normal((count, len(result.estimates)))
@@ -107,7 +108,7 @@ def draws(result: FitResult, count: int = DRAWS) -> Array:
 
 
 def overlay_text(result: FitResult) -> str:
-    """``identified.toml``: values to lay over a scenario, and their doubt."""
+    """``identified.toml``: values to lay over a scenario, and their uncertainty."""
     lines = [
         f"# What {len(result.fits)} impact{'s' if len(result.fits) > 1 else ''} told "
         "(springback identify fit); lay it over a scenario:",
@@ -120,12 +121,18 @@ def overlay_text(result: FitResult) -> str:
     for one in told:
         lines.append(f"# {one.unknown.unit or 'no unit'}; {one.verdict}")
         lines.append(f"{json.dumps(one.unknown.name)} = {one.value!r}")
-    lines += ["", "# One standard deviation, in the words of [known] of a further fit.", "[doubt]"]
-    lines += [f"{json.dumps(one.unknown.name)} = {json.dumps(doubt_text(one))}" for one in told]
+    lines += [
+        "",
+        "# One standard deviation, in the words of [known] of a further fit.",
+        "[uncertainty]",
+    ]
+    lines += [
+        f"{json.dumps(one.unknown.name)} = {json.dumps(uncertainty_text(one))}" for one in told
+    ]
     return "\n".join(lines) + "\n"
 
 
-def doubt_text(one: FieldEstimate) -> str:
+def uncertainty_text(one: FieldEstimate) -> str:
     """Value and standard deviation of a field, as a plan reads them."""
     deviation = one.unknown.deviation * one.deviation
     value = f"{one.value!r} {one.unknown.unit}".strip()

@@ -17,9 +17,9 @@ from springback.scenario.source_text import source_text, toml_tables
 from springback.settings import Name, Settings, problem
 
 Rate = Annotated[float, Unit("Hz", above=0.0)]
-#: Fields that are doubted by default, with the doubt: what a scale and a ruler tell (chosen).
+#: Fields that are uncertain by default: what a scale and a ruler tell (chosen).
 USUALLY_KNOWN = {"vehicle.body.mass": "+- 0.5 %", "vehicle.arms.mass": "+- 5 %"}
-#: The word for a field that is not doubted.
+#: The word for a field that is not uncertain.
 EXACT = "exact"
 
 
@@ -89,7 +89,7 @@ class ClockFit(Settings):
 
     offset: Annotated[float, Unit("s")] | None = None
     """Added to theirs; by default found from the turns that both saw."""
-    doubt: Duration = 2e-3
+    uncertainty: Duration = 2e-3
     """Its standard deviation (chosen: what a correlation of turns leaves)."""
 
 
@@ -129,7 +129,7 @@ class LoggedFlight(Settings):
     """Overrides of the scenario for this flight, such as ``start.velocity.0=2``."""
 
 
-class OtherTest(Settings):
+class OtherExperiment(Settings):
     """A test that could be flown next."""
 
     name: Name
@@ -140,14 +140,14 @@ class OtherTest(Settings):
 SensorName = Literal["imu", "motion-capture", "arm-length"]
 
 
-class TestsFit(Settings):
+class CandidateSettings(Settings):
     """Tests among which `springback identify plan` chooses: all of these combined, and others."""
 
     speeds: tuple[Annotated[float, Unit("m/s", above=0.0)], ...] = (1.0, 2.0, 3.5)
     pitches: tuple[Annotated[float, Unit("rad")], ...] = (0.0, 0.2617993877991494)
     """Of the start, nose down; none on a slider."""
     yaws: tuple[Annotated[float, Unit("rad")], ...] = (0.0, 0.7853981633974483)
-    others: tuple[OtherTest, ...] = ()
+    others: tuple[OtherExperiment, ...] = ()
     sensors: tuple[SensorName, ...] = ("imu", "motion-capture")
     """Those that record, as the scenario's ``sensors`` are."""
     count: Annotated[int, Field(ge=1, le=20, strict=True)] = 3
@@ -164,17 +164,17 @@ class FitPlan(Settings):
     experiment: Literal["flight", "drop"] = "flight"
     """``drop``: impacts from above count, which are landings in a flight."""
     free: dict[str, str]
-    """Fields to be fitted, each with its doubt: ``factor 5``, ``+- 20 %``, ``+- 5 deg``,
+    """Fields to be fitted, each with its uncertainty: ``factor 5``, ``+- 20 %``, ``+- 5 deg``,
     ``5 N/mm factor 3``."""
     known: dict[str, str] = Field(default_factory=dict)
-    """Fields that are known to some doubt, as ``1.88 kg +- 0.5 %``; ``exact`` for none."""
+    """Fields that are known to some uncertainty, as ``1.88 kg +- 0.5 %``; ``exact`` for none."""
     sensors: FitSensors = FitSensors()
     clocks: ClockFit = ClockFit()
     start: StartFit = StartFit()
     thrust: Annotated[float, Unit("", above=0.0)] = 0.05
     """Standard deviation of the factor of all thrusts (chosen)."""
     window: WindowFit = WindowFit()
-    tests: TestsFit = TestsFit()
+    candidates: CandidateSettings = CandidateSettings()
     scatter: Literal["impact", "none"] = "impact"
     """``impact``: what is fitted may differ from impact to impact; ``none``: it may not."""
     starts: Annotated[int, Field(ge=1, le=64, strict=True)] = 8
@@ -201,8 +201,8 @@ class FitPlan(Settings):
                 raise problem("is free as well", f"known.{name}")
         return self
 
-    def doubts(self) -> dict[str, str]:
-        """Known fields with their doubt, those that usually are included."""
+    def uncertainties(self) -> dict[str, str]:
+        """Known fields with their uncertainty, those that usually are included."""
         told = {name: text for name, text in USUALLY_KNOWN.items() if name not in self.free}
         told |= self.known
         return {name: text for name, text in told.items() if text.strip() != EXACT}

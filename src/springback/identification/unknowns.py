@@ -1,4 +1,4 @@
-"""Unknowns of a fit: fields of a scenario that are free or known to some doubt, and latents.
+"""Unknowns of a fit: fields of a scenario that are free or known to some uncertainty, and latents.
 
 Inside, each is a number u with a standard normal prior: value = centre + deviation u, or of its
 logarithm for what is known to a factor or a share.
@@ -27,7 +27,7 @@ Role = Literal["free", "known", "latent"]
 FARTHEST = 6.0
 #: Share of a normal distribution within two deviations: "factor 5" is ln 5 = two deviations.
 TWO_DEVIATIONS = 2.0
-_DOUBT = re.compile(r"^\s*(?P<centre>.*?)\s*(?:\+-|\+/-|±)\s*(?P<doubt>.+?)\s*$")
+_UNCERTAINTY = re.compile(r"^\s*(?P<centre>.*?)\s*(?:\+-|\+/-|±)\s*(?P<uncertainty>.+?)\s*$")
 _FACTOR = re.compile(r"^\s*(?:(?P<centre>.*\S)\s+)?factor\s+(?P<factor>\S+)\s*$")
 
 
@@ -44,7 +44,7 @@ class Unknown(NamedTuple):
     logarithmic: bool
     unit: str
     """SI; empty for plain numbers."""
-    doubt: str
+    uncertainty: str
     """The prior in words."""
     flies: bool = True
     """False if the motion does not depend on it, only what a sensor tells of it."""
@@ -70,13 +70,13 @@ def field_unknown(name: str, text: str, role: Role, scenario: Scenario) -> Unkno
 
     Args:
         name: Dotted path of a number.
-        text: Its doubt: ``factor 5`` (95 % within that factor), ``+- 2 %``, ``+- 5 deg`` or
+        text: Its uncertainty: ``factor 5`` (95 % within that factor), ``+- 2 %``, ``+- 5 deg`` or
             ``1.88 kg +- 0.5 %`` (one standard deviation).
         role: ``free`` or ``known``.
         scenario: That has it.
 
     Raises:
-        InputError: If there is no such number, or the text is no doubt of it.
+        InputError: If there is no such number, or the text is no uncertainty of it.
     """
     path = tuple(key_path(name))
     found = number_at(name, path, scenario, ()) if path else None
@@ -88,7 +88,7 @@ def field_unknown(name: str, text: str, role: Role, scenario: Scenario) -> Unkno
     except PydanticCustomError as error:
         raise InputError(f"{name}: {error.message()}") from None
     if not (math.isfinite(deviation) and deviation > 0.0):
-        raise InputError(f"{name}: a doubt must be above zero (got {shown_value(text)})")
+        raise InputError(f"{name}: an uncertainty must be above zero (got {shown_value(text)})")
     return Unknown(name, role, centre, deviation, logarithmic, found.unit, text, path=path)
 
 
@@ -110,17 +110,17 @@ def _prior(field: Parameter, text: str, current: float | None) -> tuple[float, f
         factor = si_number(number_in(match["factor"], "", bare=True), "", above=1.0)
         _positive(field, centre, text)
         return math.log(centre), math.log(factor) / TWO_DEVIATIONS, True
-    if not (match := _DOUBT.match(text)):
+    if not (match := _UNCERTAINTY.match(text)):
         raise InputError(
-            f"{field.name}: {shown_value(text)} is no doubt; write 'factor 5', '+- 2 %' or "
+            f"{field.name}: {shown_value(text)} is no uncertainty; write 'factor 5', '+- 2 %' or "
             f"'+- 0.1{' ' if field.unit else ''}{field.unit}'"
         )
-    centre, doubt = _centre(field, match["centre"], current), match["doubt"]
-    if doubt.endswith("%"):
-        share = number_in(doubt, "")
+    centre, uncertainty = _centre(field, match["centre"], current), match["uncertainty"]
+    if uncertainty.endswith("%"):
+        share = number_in(uncertainty, "")
         _positive(field, centre, text)
         return math.log(centre), share, True
-    return centre, number_in(doubt, field.unit, bare=not field.unit), False
+    return centre, number_in(uncertainty, field.unit, bare=not field.unit), False
 
 
 def _centre(field: Parameter, text: str, current: float | None) -> float:

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from springback.identification.estimates import FieldEstimate, correlations
-from springback.identification.fitting import ImpactFit
 from springback.identification.misfit import ChannelMisfit
-from springback.identification.pooling import DIFFERENT
+from springback.identification.solving.fitting import ImpactFit
+from springback.identification.solving.pooling import DIFFERENT
 from springback.logs.recording import ARM_LENGTH, POSITION, SPECIFIC_FORCE
 
 #: Correlation from which two fields cannot be told apart, and the share of a variance that one
@@ -40,7 +40,7 @@ def estimate_sentence(one: FieldEstimate) -> str:
         said = f"{unknown.name} is at least {number_text(one.low, unit)}"
     elif one.verdict == "at most":
         said = f"{unknown.name} is at most {number_text(one.high, unit)}"
-    return f"{said}: {one.verdict} ({100.0 * one.deviation:.2g} % of the doubt before)"
+    return f"{said}: {one.verdict} ({100.0 * one.deviation:.2g} % of the uncertainty before)"
 
 
 def sentences(
@@ -175,11 +175,11 @@ def _inherited(fits: Sequence[ImpactFit], estimates: Sequence[FieldEstimate]) ->
             if other.unknown.role == "free"
             and row[names.index(other.unknown.name)] ** 2 > INHERITED
         ]
-        said = f"{one.unknown.name} was assumed ({one.unknown.doubt}), not measured"
+        said = f"{one.unknown.name} was assumed ({one.unknown.uncertainty}), not measured"
         found.append(f"{said}: it makes {', '.join(heirs)}" if heirs else said)
     mass = [one for one in estimates if one.unknown.name.endswith("mass")]
     if mass and any(one.unknown.unit.startswith("N") for one in estimates):
         found.append(
-            "only stiffness and damping over mass are seen: all of them inherit the doubt of mass"
+            "only stiffness and damping over mass are seen: all inherit the uncertainty of mass"
         )
     return found

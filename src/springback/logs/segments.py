@@ -148,9 +148,7 @@ def _sources(recordings: Sequence[Recording]) -> _Sources:
 
 
 def _horizontal(sources: _Sources) -> tuple[Array, Array]:
-    """Instants, and horizontal specific force [m/s²], of drops all of it; without an attitude in
-    body axes.
-    """
+    """Instants and horizontal specific force [m/s²], of drops all of it; or in body axes."""
     assert sources.accelerometer is not None
     channel = sources.accelerometer[1]
     if sources.drops:

@@ -73,7 +73,7 @@ def test_it_is_one_light_page_that_asks_for_nothing(page: str) -> None:
 
 
 def test_several_impacts_are_compared_and_left_out_in_turn(several: FitResult) -> None:
-    text = re.sub(r"<[^>]+>", "", fit_page(several, advice=("Fly the wall at 3 m/s.",)))
+    text = re.sub(r"<[^>]+>", "", fit_page(several, chosen_plan=("Fly the wall at 3 m/s.",)))
     assert "rig: what 3 impacts told" in text
     assert "arms.stiffness, without it" in text
     assert text.count("Impact 2:") >= 1

@@ -1,4 +1,4 @@
-"""Errors of a replay at some instants after touch, beside the doubt of what was measured."""
+"""Errors of a replay at some instants after touch, beside the uncertainty of what was measured."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.identification.readings import Reading
+from springback.identification.observations.sensor_chain import attitude_errors
+from springback.identification.observations.windows import ChannelWindow
 from springback.identification.replays.features import ForceRise
 from springback.identification.replays.replay import Replay
-from springback.identification.sensor_chain import attitude_errors
 from springback.logs.frame_turns import conjugate, product, rotation_vector
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
@@ -26,9 +26,9 @@ from springback.random_streams import Purpose, stream
 
 #: Instants after touch of the table [s] (0: how well the flight was met before touch).
 INSTANTS = (0.0, 0.05, 0.1, 0.2, 0.3)
-#: Doubts beyond which an error is not one of the measurement: 95 % of a normal distribution.
+#: Uncertainties beyond which an error is not one of the measurement: 95 % of a normal distribution.
 BEYOND = 2.0
-#: Doubts at touch from which it is said that the start is off (chosen).
+#: Uncertainties at touch from which it is said that the start is off (chosen).
 FAR = 3.0
 #: Draws of noise for numbers that are read off a curve (chosen).
 DRAWS = 64
@@ -50,32 +50,32 @@ class ErrorRow(NamedTuple):
     recorded: float | None
     predicted: float | None
     error: float
-    doubt: float
+    uncertainty: float
     """One standard deviation: of the sample, the start, the clocks and biases."""
     unit: str
     channel: str
 
     @property
-    def doubts(self) -> float:
-        """Size of the error over its doubt."""
-        return abs(self.error) / self.doubt
+    def uncertainties(self) -> float:
+        """Size of the error over its uncertainty."""
+        return abs(self.error) / self.uncertainty
 
     @property
     def is_beyond(self) -> bool:
-        """True if the doubt does not explain it."""
-        return self.doubts > BEYOND
+        """True if the uncertainty does not explain it."""
+        return self.uncertainties > BEYOND
 
 
 class ChannelErrors(NamedTuple):
     """A channel over the whole replay."""
 
-    reading: Reading
+    reading: ChannelWindow
     recorded: Array
     """Shape (samples, width); attitudes as turns since the start, body axes [rad]."""
     predicted: Array
     errors: Array
     """Predicted less recorded."""
-    doubts: Array
+    uncertainties: Array
     """One standard deviation each."""
     covariance: Array
     """Of the errors, shape (samples, width, width)."""
@@ -99,7 +99,7 @@ def channel_errors(flown: Replay) -> list[ChannelErrors]:
     return [_of_channel(flown, one) for one in flown.readings]
 
 
-def _of_channel(flown: Replay, one: Reading) -> ChannelErrors:
+def _of_channel(flown: Replay, one: ChannelWindow) -> ChannelErrors:
     predicted, (up, down) = flown.predicted[one.name], flown.changed[one.name]
     recorded = one.values[:, : predicted.shape[1]]
     if one.quantity == ATTITUDE:
@@ -122,8 +122,8 @@ def _of_channel(flown: Replay, one: Reading) -> ChannelErrors:
     covariance = np.einsum("dsi,dsj->sij", slopes, slopes)
     places = np.arange(width)
     covariance[:, places, places] += sigma**2
-    doubts = np.sqrt(covariance[:, places, places])
-    return ChannelErrors(one, recorded, predicted, errors, doubts, covariance)
+    uncertainties = np.sqrt(covariance[:, places, places])
+    return ChannelErrors(one, recorded, predicted, errors, uncertainties, covariance)
 
 
 def error_rows(flown: Replay, channels: Sequence[ChannelErrors]) -> list[ErrorRow]:
@@ -151,24 +151,33 @@ def _instant_rows(one: ChannelErrors, touch: float, wanted: float) -> list[Error
     quantity = one.reading.quantity
     common = quantity, wanted, float(times[k]), unit_of(quantity), one.reading.name
 
-    def row(part: str, recorded: Any, predicted: Any, error: Any, doubt: Any) -> ErrorRow:
+    def row(part: str, recorded: Any, predicted: Any, error: Any, uncertainty: Any) -> ErrorRow:
         what, at, time, unit, channel = common
         return ErrorRow(
-            what, part, at, time, recorded, predicted, float(error), float(doubt), unit, channel
+            what,
+            part,
+            at,
+            time,
+            recorded,
+            predicted,
+            float(error),
+            float(uncertainty),
+            unit,
+            channel,
         )
 
     size = np.linalg.norm(one.errors[k]), np.sqrt(np.trace(one.covariance[k]))
     return [row("all", None, None, *size)] + [
         row(part, float(one.recorded[k, j]), float(one.predicted[k, j]), one.errors[k, j],
-            one.doubts[k, j])
+            one.uncertainties[k, j])
         for j, part in enumerate(one.parts)
     ]  # fmt: skip
 
 
 def _read_off(
-    flown: Replay, one: Reading, number: Callable[[Array], float]
+    flown: Replay, one: ChannelWindow, number: Callable[[Array], float]
 ) -> tuple[float, float, float]:
-    """Recorded, predicted, and doubt of a number that is read off a curve."""
+    """Recorded, predicted, and uncertainty of a number that is read off a curve."""
     predicted, (up, down) = flown.predicted[one.name], flown.changed[one.name]
     recorded = one.values[:, : predicted.shape[1]]
     here = number(predicted)
@@ -192,12 +201,12 @@ def _force_rows(flown: Replay) -> list[ErrorRow]:
     rise = ForceRise.of_recorded(one, flown.touch, flown.impact.release - flown.impact.touch)
     rows = []
     for what, number, unit in ((TOUCH, rise.time, "s"), (PEAK, rise.peak, "m/s^2")):
-        recorded, predicted, doubt = _read_off(flown, one, number)
-        if np.isfinite([recorded, predicted, doubt]).all() and doubt > 0.0:
+        recorded, predicted, uncertainty = _read_off(flown, one, number)
+        if np.isfinite([recorded, predicted, uncertainty]).all() and uncertainty > 0.0:
             off = flown.touch if what == TOUCH else 0.0
             rows.append(ErrorRow(
                 what, "all", None, flown.touch - off, recorded - off, predicted - off,
-                predicted - recorded, doubt, unit, one.name,
+                predicted - recorded, uncertainty, unit, one.name,
             ))  # fmt: skip
     return rows
 
@@ -211,13 +220,14 @@ def _stroke_rows(flown: Replay) -> list[ErrorRow]:
     def stroke(values: Array) -> float:
         return float(np.nanmax(-values)) if not np.isnan(values).all() else np.nan
 
-    recorded, predicted, doubt = _read_off(flown, one, stroke)
+    recorded, predicted, uncertainty = _read_off(flown, one, stroke)
     resolution = np.max(flown.problem.resolution(one))
-    doubt = float(np.hypot(doubt, resolution))
-    if not np.isfinite([recorded, predicted]).all() or not doubt > 0.0:
+    uncertainty = float(np.hypot(uncertainty, resolution))
+    if not np.isfinite([recorded, predicted]).all() or not uncertainty > 0.0:
         return []
     return [ErrorRow(
-        STROKE, "all", None, 0.0, recorded, predicted, predicted - recorded, doubt, "m", one.name
+        STROKE, "all", None, 0.0, recorded, predicted, predicted - recorded, uncertainty, "m",
+        one.name,
     )]  # fmt: skip
 
 
@@ -231,12 +241,12 @@ def verdict(rows: Sequence[ErrorRow]) -> str:
     if not shown:
         return "nothing could be compared: no channel of the log has samples after touch"
     if not beyond:
-        return f"all {len(shown)} errors are within twice the doubt of the measurement"
-    worst = max(beyond, key=lambda row: row.doubts)
+        return f"all {len(shown)} errors are within twice the uncertainty of the measurement"
+    worst = max(beyond, key=lambda row: row.uncertainties)
     when = "" if worst.wanted is None else f" {1e3 * worst.wanted:.0f} ms after touch"
     return (
-        f"{len(beyond)} of {len(shown)} errors are beyond twice the doubt of the measurement, most "
-        f"of all the {worst.what}{when}: {worst.doubts:.1f} doubts"
+        f"{len(beyond)} of {len(shown)} errors are beyond twice the uncertainty of the "
+        f"measurement, most of all the {worst.what}{when}: {worst.uncertainties:.1f} uncertainties"
     )
 
 
@@ -245,10 +255,11 @@ def remarks(flown: Replay, rows: Sequence[ErrorRow]) -> list[str]:
     found = []
     early = [
         row for row in rows
-        if row.part == "all" and row.wanted == 0.0 and row.doubts > FAR and row.what != ARM_LENGTH
+        if row.part == "all" and row.wanted == 0.0 and row.what != ARM_LENGTH
+        and row.uncertainties > FAR
     ]  # fmt: skip
     if early:
-        named = ", ".join(f"{row.what} by {row.doubts:.1f} doubts" for row in early)
+        named = ", ".join(f"{row.what} by {row.uncertainties:.1f} uncertainties" for row in early)
         found.append(
             f"already at touch the replay is off ({named}): thrusts, the order of rotors or the "
             "start, not the impact"
@@ -290,5 +301,5 @@ def as_data(flown: Replay, rows: Sequence[ErrorRow]) -> dict[str, Any]:
 
 
 def row_data(row: ErrorRow) -> dict[str, Any]:
-    """A row as plain data, with its doubts."""
-    return row._asdict() | {"doubts": row.doubts}
+    """A row as plain data, with its uncertainties."""
+    return row._asdict() | {"uncertainties": row.uncertainties}

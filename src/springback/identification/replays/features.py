@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.identification.readings import Reading
+from springback.identification.observations.windows import ChannelWindow
 from springback.logs.recording import Array
 
 #: Share of the recorded peak at which touch is read off (chosen: below it is the slow rise of a
@@ -31,7 +31,7 @@ class ForceRise(NamedTuple):
     """Change of the specific force that counts as touch [m/s²]."""
 
     @classmethod
-    def of_recorded(cls, one: Reading, touch: float, contact: float) -> ForceRise:
+    def of_recorded(cls, one: ChannelWindow, touch: float, contact: float) -> ForceRise:
         """By a recorded channel.
 
         Args:

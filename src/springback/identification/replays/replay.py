@@ -9,12 +9,16 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.errors import InputError
-from springback.identification.likelihood import ImpactProblem
-from springback.identification.readings import ImpactReadings, Reading, impact_readings
+from springback.identification.observations.initial_state import InitialState, initial_state
+from springback.identification.observations.likelihood import ImpactProblem
+from springback.identification.observations.windows import (
+    ChannelWindow,
+    ImpactWindow,
+    impact_window,
+)
 from springback.identification.replays.features import ForceRise
 from springback.identification.replays.start import MeasuredStart, is_tracked, measured_start
 from springback.identification.settings import ClockFit, FitSensors, StartFit, WindowFit
-from springback.identification.starts import StartGuess, start_guess
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
     ATTITUDE,
@@ -63,7 +67,7 @@ class ReplayOptions(NamedTuple):
 
 
 class ReplayPlan(NamedTuple):
-    """How logs are read for a replay: a `springback.identification.readings.ReadingPlan`."""
+    """How logs are read for a replay, as `WindowPlan` has it."""
 
     window: WindowFit
     sensors: FitSensors = FitSensors()
@@ -105,18 +109,20 @@ class Replay:
         self.predicted: dict[str, Array] = {}
         """What each channel would have told, by its name, shape (samples, width)."""
         self.changed: dict[str, tuple[Array, Array]] = {}
-        """The same, changed by each independent doubt to either side, shape (doubts, …) each."""
+        """The same, changed by each independent uncertainty to either side, shape (changes, …)."""
 
     @property
-    def readings(self) -> list[Reading]:
+    def readings(self) -> list[ChannelWindow]:
         """Channels that are compared."""
         return self.problem.readings
 
     def fly(self) -> None:
-        """Predict all channels, also with each doubt of start, clock and biases changed."""
-        doubts = np.array([*self._doubts()])
-        points = np.concatenate([self.point[None], self.point + doubts, self.point - doubts])
-        found, count = self.problem.predictions(points), len(doubts)
+        """Predict all channels, also with each uncertainty of start, clock and biases changed."""
+        uncertainties = np.array([*self._uncertainties()])
+        points = np.concatenate(
+            [self.point[None], self.point + uncertainties, self.point - uncertainties]
+        )
+        found, count = self.problem.predictions(points), len(uncertainties)
         self.predicted = {name: values[0] for name, values in found.items()}
         self.changed = {
             name: (values[1 : 1 + count], values[1 + count :]) for name, values in found.items()
@@ -134,8 +140,8 @@ class Replay:
         sensors = self._given.get("sensors")
         return tables if sensors is None else tables | {"sensors": sensors}
 
-    def _doubts(self) -> list[Array]:
-        """Changes of the point by one standard deviation of each independent doubt."""
+    def _uncertainties(self) -> list[Array]:
+        """Changes of the point by one standard deviation of each independent uncertainty."""
         found = []
         for change in self.start.changes:
             one = np.zeros(len(self.point))
@@ -183,7 +189,7 @@ class Replay:
         late = rise.time(self.predicted[one.name]) - rise.time(one.values)
         return late if np.isfinite(late) else None
 
-    def of(self, quantity: str) -> Reading | None:
+    def of(self, quantity: str) -> ChannelWindow | None:
         """Channel of a quantity, if there is one."""
         return next((one for one in self.readings if one.quantity == quantity), None)
 
@@ -236,7 +242,7 @@ def replay(
     found = find_impacts(recordings)
     impact = _chosen(found, options.impact, names)
     plan = ReplayPlan(WindowFit(before=options.before + max(options.before, 0.1), after=AFTER))
-    read = impact_readings(plan, scenario, recordings, impact, estimates=True)
+    read = impact_window(plan, scenario, recordings, impact, estimates=True)
     at = max(read.touch - options.before, 0.0)
     part = _from(read, at)
     slides = scenario.model.slider is not None
@@ -245,7 +251,7 @@ def replay(
         otherwise = _given_start(scenario)
     else:
         _check_given(scenario, tables, names)
-        otherwise = start_guess(scenario, part.readings, part.touch)
+        otherwise = initial_state(scenario, part.readings, part.touch)
     start = measured_start(tracks, at, read.touch, otherwise, plan.start, plan.sensors)
     told, warnings = _start_words(start, at, read, options), list[str]()
     begin = impact.touch - part.touch
@@ -324,10 +330,10 @@ def _chosen(found: Sequence[LogImpact], wanted: float | None, names: str) -> Log
     return usable[0]
 
 
-def _given_start(scenario: Scenario) -> StartGuess:
+def _given_start(scenario: Scenario) -> InitialState:
     """State at the start of a scenario."""
     state = scenario.start_state()
-    return StartGuess(
+    return InitialState(
         np.array(state.position), np.array(state.velocity), np.array(state.attitude),
         np.array(state.angular_velocity), False,
     )  # fmt: skip
@@ -342,7 +348,7 @@ def _check_given(scenario: Scenario, tables: Mapping[str, Any], names: str) -> N
         )
 
 
-def _from(read: ImpactReadings, at: float) -> ImpactReadings:
+def _from(read: ImpactWindow, at: float) -> ImpactWindow:
     """Readings from an instant on, which becomes 0."""
     kept = []
     for one in read.readings:
@@ -360,7 +366,7 @@ def _from(read: ImpactReadings, at: float) -> ImpactReadings:
     )  # fmt: skip
 
 
-def _on_slider(scenario: Scenario, guess: StartGuess) -> StartGuess:
+def _on_slider(scenario: Scenario, guess: InitialState) -> InitialState:
     """A start on the slider of a scenario, if it has one."""
     if scenario.model.slider is None:
         return guess
@@ -376,7 +382,7 @@ def _on_slider(scenario: Scenario, guess: StartGuess) -> StartGuess:
 
 
 def _start_words(
-    start: MeasuredStart, at: float, read: ImpactReadings, options: ReplayOptions
+    start: MeasuredStart, at: float, read: ImpactWindow, options: ReplayOptions
 ) -> list[str]:
     begin = read.touch - at
     speed = float(np.linalg.norm(start.guess.velocity))
@@ -397,7 +403,7 @@ def _thrust_words(scenario: Scenario, tables: Mapping[str, Any], thrusts: Any) -
 
 
 def _gaps(
-    part: ImpactReadings,
+    part: ImpactWindow,
     impact: LogImpact,
     found: Sequence[LogImpact],
     recordings: Sequence[Recording],
@@ -418,7 +424,7 @@ def _gaps(
     ]  # fmt: skip
     if estimated:
         warnings.append(
-            f"estimates, not measurements, whose own errors are not in the doubt: "
+            f"estimates, not measurements, whose own errors are not in the uncertainty: "
             f"{', '.join(estimated)}"
         )
     missing = [

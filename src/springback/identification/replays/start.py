@@ -1,4 +1,4 @@
-"""State of a vehicle at an instant before touch, as its log tells it, with its doubt."""
+"""State of a vehicle at an instant before touch, as its log tells it, with its uncertainty."""
 
 from __future__ import annotations
 
@@ -7,10 +7,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.identification.noise import ChannelNoise
-from springback.identification.readings import Reading
+from springback.identification.observations.initial_state import InitialState
+from springback.identification.observations.noise import ChannelNoise
+from springback.identification.observations.windows import ChannelWindow
 from springback.identification.settings import FitSensors, StartFit
-from springback.identification.starts import StartGuess
 from springback.logs.frame_turns import (
     conjugate,
     product,
@@ -33,7 +33,7 @@ MOST_CORRELATED = 0.95
 class MeasuredStart(NamedTuple):
     """State at an instant; its changes are of position, velocity, turn (body) and rate (body)."""
 
-    guess: StartGuess
+    guess: InitialState
     changes: Array
     """Independent changes of one standard deviation each, shape (changes, 12)."""
     by_clock: Array
@@ -64,10 +64,10 @@ class _Turn(NamedTuple):
 
 
 def measured_start(
-    readings: Sequence[Reading],
+    readings: Sequence[ChannelWindow],
     at: float,
     touch: float,
-    otherwise: StartGuess,
+    otherwise: InitialState,
     plan: StartFit,
     sensors: FitSensors,
 ) -> MeasuredStart:
@@ -81,8 +81,8 @@ def measured_start(
         at: The instant, in their window [s].
         touch: In their window [s].
         otherwise: For what no track tells.
-        plan: Doubt of that.
-        sensors: Doubt of the gyroscope's bias, which a track of attitudes may tell better.
+        plan: Uncertainty of that.
+        sensors: Uncertainty of the gyroscope's bias, which a track of attitudes may tell better.
     """
     found = {one.quantity: _in_time(one) for one in readings}
     changes, by_clock, by_bias = list[Array](), np.zeros(12), np.zeros((3, 12))
@@ -129,7 +129,7 @@ def measured_start(
     return MeasuredStart(guess, np.array(changes), by_clock, by_bias, words)
 
 
-def _in_time(one: Reading) -> Reading:
+def _in_time(one: ChannelWindow) -> ChannelWindow:
     """A channel at the instants that its samples are of: delays of filter and mean taken out."""
     chain, late = one.chain, 0.0
     if chain.low_pass is not None:
@@ -169,14 +169,14 @@ def _slow_deviation(noise: ChannelNoise) -> Array:
     return np.asarray(np.maximum(noise.innovation / rest, 0.0))
 
 
-def _inside(track: Reading, at: float, touch: float, around: float) -> Any:
+def _inside(track: ChannelWindow, at: float, touch: float, around: float) -> Any:
     """Rows of a track about an instant, before touch."""
     known = ~np.isnan(track.values).any(axis=1) & (track.times < touch - CLEAR)
     near = known & (np.abs(track.times - at) <= around + 1e-9)
     return np.flatnonzero(near)
 
 
-def is_tracked(readings: Sequence[Reading], at: float, touch: float) -> bool:
+def is_tracked(readings: Sequence[ChannelWindow], at: float, touch: float) -> bool:
     """True if a track tells the position at an instant [s] before touch [s]."""
     track = next((one for one in readings if one.quantity == POSITION), None)
     return _line(track, at, touch, max(AROUND, touch - at)) is not None
@@ -185,8 +185,8 @@ def is_tracked(readings: Sequence[Reading], at: float, touch: float) -> bool:
 class _Way(NamedTuple):
     """What an inertial unit tells of the motion about an instant."""
 
-    force: Reading
-    gyro: Reading
+    force: ChannelWindow
+    gyro: ChannelWindow
     attitude: Array  # at the instant
     at: float
 
@@ -199,7 +199,7 @@ class _Way(NamedTuple):
             times: Of a track [s].
 
         Returns:
-            The way, shape (samples, 3), and its independent doubts along each axis, shape
+            The way, shape (samples, 3), and its independent uncertainties along each axis, shape
             (samples, 3).
         """
         known = ~np.isnan(self.force.values).any(axis=1)
@@ -220,7 +220,7 @@ class _Way(NamedTuple):
 
 
 def _line(
-    track: Reading | None,
+    track: ChannelWindow | None,
     at: float,
     touch: float,
     around: float,
@@ -235,9 +235,9 @@ def _line(
     times, values = track.times[rows], track.values[rows]
     if way is None:
         return _polynomial(times - at, values, track.noise, degree)
-    gone, doubts = way.displacement(times)
+    gone, uncertainties = way.displacement(times)
     line = _polynomial(times - at, values - gone, track.noise, degree)
-    moved = _polynomial(times - at, doubts, track.noise, degree)
+    moved = _polynomial(times - at, uncertainties, track.noise, degree)
     slopes = np.stack([moved.value, moved.rate])
     whole = line.roots @ line.roots.transpose(0, 2, 1) + slopes @ slopes.T
     return line._replace(roots=np.asarray(np.linalg.cholesky(whole), dtype=np.float64))
@@ -256,7 +256,7 @@ def _polynomial(t: Array, values: Array, noise: ChannelNoise, degree: int) -> _L
 
 
 def _turn(
-    track: Reading | None, gyro: Reading | None, at: float, touch: float, around: float
+    track: ChannelWindow | None, gyro: ChannelWindow | None, at: float, touch: float, around: float
 ) -> _Turn | None:
     """Attitude at an instant: turns that the gyroscope tells are taken out of the track."""
     if track is None:
@@ -274,7 +274,7 @@ def _turn(
     return _Turn(attitude / np.linalg.norm(attitude), line)
 
 
-def _turned(gyro: Reading, at: float, times: Array) -> Array:
+def _turned(gyro: ChannelWindow, at: float, times: Array) -> Array:
     """Turn of the body from an instant to others, by its gyroscope, shape (instants, 4)."""
     known = ~np.isnan(gyro.values).any(axis=1)
     knots = np.unique(np.concatenate([gyro.times[known], [at], times]))

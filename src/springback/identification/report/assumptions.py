@@ -13,9 +13,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.errors import InputError
-from springback.identification.fitting import ImpactFit
-from springback.identification.least_squares import jacobians
-from springback.identification.likelihood import ImpactProblem
+from springback.identification.observations.likelihood import ImpactProblem
+from springback.identification.solving.fitting import ImpactFit
+from springback.identification.solving.least_squares import jacobians
 from springback.identification.unknowns import Unknown
 from springback.kernels.layout import structure
 from springback.scenario.fields import Path, fields_of
@@ -38,7 +38,7 @@ MATTERS = 0.25
 
 
 class Assumption(NamedTuple):
-    """A field that was neither free nor known to some doubt."""
+    """A field that was neither free nor known to some uncertainty."""
 
     name: str
     value: float
@@ -73,7 +73,7 @@ def assumptions(fits: Sequence[ImpactFit]) -> list[Assumption]:
         shifts = {name: float(np.nanmean(each)) for name, each in total[one.name].items()
                   if not np.isnan(each).all()}  # fmt: skip
         found.append(Assumption(
-            one.name, one.centre, one.unit, one.doubt, shifts, weights[one.name]
+            one.name, one.centre, one.unit, one.uncertainty, shifts, weights[one.name]
         ))  # fmt: skip
     return sorted(found, key=lambda one: -one.weight)
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from springback.identification.fitting import ImpactFit
+from springback.identification.solving.fitting import ImpactFit
 from springback.identification.unknowns import Unknown
 from springback.logs.recording import Array
 

@@ -6,8 +6,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.identification.fitting import ImpactFit
-from springback.identification.readings import Reading
+from springback.identification.observations.windows import ChannelWindow
+from springback.identification.solving.fitting import ImpactFit
 from springback.logs.frame_turns import conjugate, product, rotation_vector
 from springback.logs.recording import ANGULAR_VELOCITY, ATTITUDE, POSITION, SPECIFIC_FORCE, Array
 
@@ -18,7 +18,7 @@ CLIPPED = 0.999
 class ChannelReplay(NamedTuple):
     """A channel of an impact, measured and predicted, from its first touch."""
 
-    reading: Reading
+    reading: ChannelWindow
     times: Array
     """From touch [s], on the clock of the inertial unit, shape (samples,)."""
     measured: Array

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
 
 #: Units that are shown, with their factors.
 SHOWN = {"m": ("mm", 1e3), "rad": ("deg", float(np.degrees(1.0))), "s": ("ms", 1e3)}
-#: Mark of an error that the doubt does not explain.
+#: Mark of an error that the uncertainty does not explain.
 MARK = "*"
 
 
@@ -86,7 +86,7 @@ def _instant_table(rows: Sequence[ErrorRow]) -> list[str]:
     whole = [row for row in rows if row.part == "all" and row.wanted is not None]
     instants = sorted({row.wanted for row in whole if row.wanted is not None})
     heads = ["at touch" if at == 0.0 else f"{1e3 * at:.0f} ms" for at in instants]
-    table = [["error (doubt)", *heads]]
+    table = [["error (uncertainty)", *heads]]
     for what in dict.fromkeys(row.what for row in whole):
         unit, factor = _unit(next(row.unit for row in whole if row.what == what))
         cells = [f"{what} [{unit}]"]
@@ -99,13 +99,13 @@ def _instant_table(rows: Sequence[ErrorRow]) -> list[str]:
 
 def _read_off_table(rows: Sequence[ErrorRow]) -> list[str]:
     """What is read off whole curves."""
-    table = [["", "recorded", "predicted", "error (doubt)"]]
+    table = [["", "recorded", "predicted", "error (uncertainty)"]]
     for row in rows:
         if row.wanted is None and row.recorded is not None and row.predicted is not None:
             unit, factor = _unit(row.unit)
             numbers = [f"{factor * value:.4g}" for value in (row.recorded, row.predicted)]
             table.append([f"{row.what} [{unit}]", *numbers, _cell(row, factor)])
-    marks = f"{MARK} beyond twice the doubt: of the samples, the start, clocks and biases"
+    marks = f"{MARK} beyond twice the uncertainty: of the samples, the start, clocks and biases"
     return [*(_columns(table) if len(table) > 1 else []), marks]
 
 
@@ -115,7 +115,7 @@ def _unit(unit: str) -> tuple[str, float]:
 
 def _cell(row: ErrorRow, factor: float) -> str:
     mark = MARK if row.is_beyond else ""
-    return f"{factor * row.error:.3g} ({factor * row.doubt:.2g}){mark}"
+    return f"{factor * row.error:.3g} ({factor * row.uncertainty:.2g}){mark}"
 
 
 def _columns(table: Sequence[Sequence[str]]) -> list[str]:

@@ -68,7 +68,7 @@ def overlay_figure(
 ) -> Figure:
     """Recorded samples as dots, predictions as lines; beside them their difference.
 
-    The band about a difference's zero is twice the doubt: of the samples, the start, clocks and
+    The band about a difference's zero is twice the uncertainty: of samples, start, clocks and
     biases.  Positions are from that at touch, attitudes turns since the start.
 
     Args:
@@ -94,7 +94,7 @@ def overlay_figure(
         )  # fmt: skip
     for ax in axes[:-1].flat:
         ax.set_xlabel("")
-    axes[0, 1].set_title("predicted less recorded; band: twice the doubt", loc="right")
+    axes[0, 1].set_title("predicted less recorded; band: twice the uncertainty", loc="right")
     figure.suptitle(title)
     return figure
 
@@ -117,6 +117,6 @@ def _overlay(over: Chart, apart: Chart, one: ChannelErrors, touch: float, factor
         over.curve(f"recorded {part}", t, recorded, key=False, alpha=0.6, **dots)
         over.curve(f"predicted {part}", t, predicted, key=False, lw=1.0, **look)
         over.ax.plot([], [], label=part, **(look | {"marker": "o", "ms": DOT}))
-        band, error = factor * BEYOND * one.doubts[:, k], factor * one.errors[:, k]
-        apart.band(f"twice the doubt {part}", t, -band, band, color=look["color"], alpha=0.12)
+        band, error = factor * BEYOND * one.uncertainties[:, k], factor * one.errors[:, k]
+        apart.band(f"twice the uncertainty {part}", t, -band, band, color=look["color"], alpha=0.12)
         apart.curve(f"difference {part}", t, error, key=False, **dots)

@@ -10,13 +10,13 @@ import numpy as np
 
 from springback.identification.estimates import FieldEstimate, correlations
 from springback.identification.fits import FitResult
-from springback.identification.fitting import ImpactFit
 from springback.identification.misfit import UNLIKELY
-from springback.identification.profiles import PROFILE_RISE
 from springback.identification.report.assumptions import MATTERS, assumptions, words_of_laws
 from springback.identification.report.profiles import profile_curves
 from springback.identification.report.replays import replays
 from springback.identification.results_files import DRAWS, REPORT
+from springback.identification.solving.fitting import ImpactFit
+from springback.identification.solving.profiles import PROFILE_RISE
 from springback.interfaces.figures.fits.likelihood import (
     correlations_figure,
     profiles_figure,
@@ -59,19 +59,19 @@ RELATED, MOST_LATENTS = 0.5, 6
 MOST_ASSUMED = 12
 
 
-def write_report(result: FitResult, folder: Path, advice: Blocks = ()) -> Path:
+def write_report(result: FitResult, folder: Path, chosen_plan: Blocks = ()) -> Path:
     """Write the page ``report.html`` of a fit; see `fit_page`."""
     path = folder / REPORT
-    path.write_text(fit_page(result, advice), encoding="utf-8")
+    path.write_text(fit_page(result, chosen_plan), encoding="utf-8")
     return path
 
 
-def fit_page(result: FitResult, advice: Blocks = ()) -> str:
+def fit_page(result: FitResult, chosen_plan: Blocks = ()) -> str:
     """Self-contained HTML page of a fit; some hundred flights are flown for it.
 
     Args:
         result: With its fits.
-        advice: On what to measure next: paragraphs, tables and figures.
+        chosen_plan: On what to measure next: paragraphs, tables and figures.
     """
     fits = result.fits
     flights, seconds = sum(fit.problem.flown for fit in fits), sum(fit.seconds for fit in fits)
@@ -93,7 +93,7 @@ def fit_page(result: FitResult, advice: Blocks = ()) -> str:
         "correlations": {"pictures": _correlations(fits)},
         "impacts": _impacts(result),
         "assumed": _assumed(result),
-        "next": _next(result, advice),
+        "next": _next(result, chosen_plan),
         "method": method,
     }  # fmt: skip
     shown = {name: held for name, held in content.items() if any(held.values())}
@@ -228,17 +228,17 @@ def _assumed(result: FitResult) -> Content:
     ]  # fmt: skip
     if held:
         which = "this impact" if len(fits) == 1 else f"impact {join(held)}"
-        doubt = f"{100.0 * result.plan.thrust:g} %"
-        said.append(WORDS.say("hovering", impacts=which, thrust=doubt))
+        uncertainty = f"{100.0 * result.plan.thrust:g} %"
+        said.append(WORDS.say("hovering", impacts=which, thrust=uncertainty))
     rows = assumption_rows(matter, result.estimates)
     tables = [table(WORDS.text["assumed"], WORDS.head("assumed"), rows)] if rows else []
     return {"tables": tables, "sentences": said}
 
 
-def _next(result: FitResult, advice: Blocks) -> Content:
+def _next(result: FitResult, chosen_plan: Blocks) -> Content:
     rows = narrower_rows(result.estimates, *mean_correlations(result.fits))
     tables = [table(WORDS.text["narrower"], WORDS.head("narrower"), rows)] if rows else []
-    return {"advice": advice, "tables": tables, "always": True}
+    return {"chosen_plan": chosen_plan, "tables": tables, "always": True}
 
 
 def _method(result: FitResult, flights: int) -> Content:
@@ -250,12 +250,12 @@ def _method(result: FitResult, flights: int) -> Content:
             tables.append(table(caption, WORDS.head(key), rows, folded=True))
     after = plan.window.after
     known: dict[str, Any] = {
-        one.unknown.name: one.unknown.doubt for one in result.estimates
+        one.unknown.name: one.unknown.uncertainty for one in result.estimates
         if one.unknown.role == "known"
     }  # fmt: skip
     return {
         "starts": plan.starts, "seed": plan.seed, "lanes": flights, "before": plan.window.before,
         "after": WORDS.text["usual"] if after is None else value_text(after, "s"),
-        "known": ", ".join(f"{name} {doubt}" for name, doubt in known.items()) or "nothing",
+        "known": ", ".join(f"{name} {text}" for name, text in known.items()) or "nothing",
         "draws": DRAWS, "tables": tables,
     }  # fmt: skip

@@ -8,9 +8,9 @@ import numpy as np
 
 from springback.identification.estimates import FieldEstimate
 from springback.identification.fits import FitResult
-from springback.identification.fitting import ImpactFit
 from springback.identification.misfit import ChannelMisfit
 from springback.identification.report.assumptions import MATTERS, Assumption
+from springback.identification.solving.fitting import ImpactFit
 from springback.identification.unknowns import Unknown
 from springback.interfaces.figures.fits.likelihood import short_names
 from springback.interfaces.output.quantities import (
@@ -91,8 +91,10 @@ def field_rows(result: FitResult) -> Rows:
         low, high = one.prior
         unit = display_unit(one.unknown.unit, [low, high])
         ends = " to ".join(three_digits(unit.factor * end) for end in (low, high))
-        prior = TableCell(with_unit(ends, unit.symbol), detail=one.unknown.doubt)
-        learned = TableCell(one.verdict, detail=f"{_share(100.0 * one.deviation)} % of the doubt")
+        prior = TableCell(with_unit(ends, unit.symbol), detail=one.unknown.uncertainty)
+        learned = TableCell(
+            one.verdict, detail=f"{_share(100.0 * one.deviation)} % of the uncertainty"
+        )
         free = one.unknown.role == "free"
         mark = TableCell(
             "", detail=source if free else "taken as known",
@@ -206,7 +208,7 @@ def narrower_rows(estimates: Sequence[FieldEstimate], names: Sequence[str], matr
             text = "; ".join(words for _, words in sorted(said, reverse=True))
             best = max(share for share, _ in said)
             name = TableCell(one.unknown.name, code=True)
-            rows.append((best, [name, one.unknown.doubt, text]))
+            rows.append((best, [name, one.unknown.uncertainty, text]))
     return [cells for _, cells in sorted(rows, key=lambda entry: -entry[0])]
 
 

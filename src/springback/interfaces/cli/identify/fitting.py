@@ -12,8 +12,8 @@ from springback.interfaces.cli.common import Output, Terminal, output_options, t
 from springback.interfaces.cli.completion import ScenarioPath
 
 if TYPE_CHECKING:
-    from springback.identification.adviser import Advice
-    from springback.identification.coverage import Coverage
+    from springback.identification.design.coverage import Coverage
+    from springback.identification.design.experiments import ExperimentPlan
     from springback.identification.fits import FitResult
 
 #: Cover of a 95 % interval below which it is too narrow.
@@ -25,7 +25,7 @@ LEAST = 0.9
 @click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
 @output_options("Folder for identified.toml, posterior.parquet, fit.json and the report.")
 def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
-    """Fit fields of a scenario to recorded impacts: PLAN says which, and to what doubt.
+    """Fit fields of a scenario to recorded impacts: PLAN says which, and to what uncertainty.
 
     Values with 95 % intervals, what was not learned and why, and what does not fit.  The exit code
     is 1 if nothing was learned.
@@ -58,7 +58,7 @@ def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
                 written.append(write_report(result, folder))
     output.print(data, text)
     output.note_written(written)
-    if not result.learned:
+    if not result.is_informative:
         sys.exit(1)
 
 
@@ -95,7 +95,7 @@ def check(plan: Path, overrides: tuple[str, ...], sets: int, terminal: Terminal)
     springback identify check fit.toml
     springback identify check fit.toml --sets 1000 --json
     """
-    from springback.identification.coverage import check_coverage
+    from springback.identification.design.coverage import check_coverage
     from springback.identification.settings import read_fit_plan
 
     ready = read_fit_plan(plan, overrides)
@@ -137,44 +137,47 @@ def coverage_text(found: Coverage) -> str:
 def plan_tests(plan: Path, overrides: tuple[str, ...], terminal: Terminal) -> None:
     """Which impact to fly next for a PLAN: the tests that tell most of its free fields.
 
-    Candidates are the plan's ``tests``: speeds, pitches and yaws of the scenario's start, and
+    Candidates are the plan's ``candidates``: speeds, pitches and yaws of the scenario's start, and
     others; logs that the plan has are fitted first, and count.
 
     \b
     springback identify plan fit.toml
-    springback identify plan fit.toml tests.speeds='["1 m/s", "3 m/s"]' tests.count=2
+    springback identify plan fit.toml candidates.speeds='["1 m/s", "3 m/s"]' candidates.count=2
     """
-    from springback.identification.adviser import advise
+    from springback.identification.design.experiments import plan_experiments
     from springback.identification.fits import fit as carry_out
     from springback.identification.settings import read_fit_plan
 
     ready = read_fit_plan(plan, overrides)
     with terminal.progress_bar("weighing tests") as progress:
         fits = carry_out(ready, plan.parent).fits if ready.flights else ()
-        advice = advise(ready, plan.parent, fits=fits, progress=progress)
-    data = advice._asdict() | {
-        "fields": [one.name for one in advice.fields], "sentence": advice.sentence,
-        "chosen": [one._asdict() for one in advice.chosen],
+        chosen_plan = plan_experiments(ready, plan.parent, fits=fits, progress=progress)
+    data = chosen_plan._asdict() | {
+        "fields": [one.name for one in chosen_plan.fields], "sentence": chosen_plan.sentence,
+        "chosen": [one._asdict() for one in chosen_plan.chosen],
     }  # fmt: skip
-    terminal.print(data, advice_text(advice))
-    if not advice.chosen:
+    terminal.print(data, experiments_text(chosen_plan))
+    if not chosen_plan.chosen:
         sys.exit(1)
 
 
-def advice_text(advice: Advice) -> str:
-    """Advice on the terminal: half widths of 95 % intervals."""
-    from springback.identification.adviser import width_text
+def experiments_text(chosen_plan: ExperimentPlan) -> str:
+    """ExperimentPlan on the terminal: half widths of 95 % intervals."""
+    from springback.identification.design.experiments import width_text
 
     def row(name: str, widths: tuple[float, ...]) -> list[str]:
-        return [name, *(width_text(f, w) for f, w in zip(advice.fields, widths, strict=True))]
+        return [name, *(width_text(f, w) for f, w in zip(chosen_plan.fields, widths, strict=True))]
 
-    rows = [["half widths", *(one.name for one in advice.fields)], row("now", advice.before)]
-    rows += [row(f"with {name}", widths) for name, widths in advice.alone]
+    rows = [
+        ["half widths", *(one.name for one in chosen_plan.fields)],
+        row("now", chosen_plan.before),
+    ]
+    rows += [row(f"with {name}", widths) for name, widths in chosen_plan.alone]
     rows += [row(f"{k}. {one.name}", one.half_widths)
-             for k, one in enumerate(advice.chosen, start=1)]  # fmt: skip
+             for k, one in enumerate(chosen_plan.chosen, start=1)]  # fmt: skip
     width = max(len(one[0]) for one in rows)
-    lines = [advice.sentence, "", f"{'':{width}}  " + ", ".join(rows[0][1:])]
+    lines = [chosen_plan.sentence, "", f"{'':{width}}  " + ", ".join(rows[0][1:])]
     lines += [f"{one[0]:{width}}  " + "  ".join(f"{cell:>9}" for cell in one[1:])
               for one in rows[1:]]  # fmt: skip
-    lines += [f"cannot be flown: {name}: {why}" for name, why in advice.refused]
+    lines += [f"cannot be flown: {name}: {why}" for name, why in chosen_plan.refused]
     return "\n".join(lines)

@@ -13,8 +13,8 @@ from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 
 from springback.identification.estimates import FieldEstimate
-from springback.identification.profiles import PROFILE_RISE
 from springback.identification.report.profiles import ProfileCurve
+from springback.identification.solving.profiles import PROFILE_RISE
 from springback.interfaces.figures.chart import Chart
 from springback.interfaces.figures.fits.readings import WIDTH
 from springback.interfaces.figures.style import LOOKS, StyledFigure, in_style

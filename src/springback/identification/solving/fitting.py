@@ -9,9 +9,9 @@ import numpy as np
 import scipy  # submodules are loaded on first use
 
 from springback.errors import InputError
-from springback.identification.least_squares import jacobians, solved
-from springback.identification.likelihood import ImpactProblem
-from springback.identification.profiles import PROFILE_RISE, Profile, profiled
+from springback.identification.observations.likelihood import ImpactProblem
+from springback.identification.solving.least_squares import jacobians, solve
+from springback.identification.solving.profiles import PROFILE_RISE, Profile, profile_likelihoods
 from springback.identification.unknowns import FARTHEST
 from springback.logs.recording import Array
 
@@ -69,7 +69,7 @@ def fit_impact(
         sobol = scipy.stats.qmc.Sobol(int(free.sum()), seed=seed)
         spread = SPREAD * (2.0 * sobol.random(1 << (starts - 1).bit_length()) - 1.0)
         first[1:, free] = spread[: starts - 1]
-    rough = solved(problem, first, farthest=FARTHEST)
+    rough = solve(problem, first, farthest=FARTHEST)
     if not np.isfinite(rough.costs).any():
         raise InputError(
             f"{problem.impact.name}: no flight of the scenario can be flown from the logged start; "
@@ -78,7 +78,7 @@ def fit_impact(
     best = int(np.argmin(rough.costs))
     point, cost = rough.points[best], float(rough.costs[best])
     problem.refine_noise(point)
-    again = solved(problem, point[None], farthest=FARTHEST)
+    again = solve(problem, point[None], farthest=FARTHEST)
     point, cost = again.points[0], float(again.costs[0])
     least = float(rough.costs[best])
     agreeing = int((rough.costs < least + max(SAME, 1e-3 * least)).sum())
@@ -88,10 +88,10 @@ def fit_impact(
         covariance = _inverse(slopes)
         if not profiles:
             break
-        found, better = profiled(problem, point, cost, covariance, free)
+        found, better = profile_likelihoods(problem, point, cost, covariance, free)
         if better is None:
             break
-        again = solved(problem, better[None], farthest=FARTHEST)
+        again = solve(problem, better[None], farthest=FARTHEST)
         point, cost = again.points[0], float(again.costs[0])
     seconds = time.perf_counter() - begun
     return ImpactFit(

@@ -9,9 +9,9 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 
 from springback.errors import InputError
-from springback.identification.noise import ChannelNoise, estimated_noise, white_noise
+from springback.identification.observations.initial_state import InitialState, initial_state
+from springback.identification.observations.noise import ChannelNoise, estimated_noise, white_noise
 from springback.identification.settings import ClockFit, FitSensors, StartFit, WindowFit
-from springback.identification.starts import StartGuess, start_guess
 from springback.logs.clocks import GAP, Offset
 from springback.logs.frame_check import bends, offset_of
 from springback.logs.frame_turns import conjugate, continuous, product, rotation_vector
@@ -38,11 +38,11 @@ FLOORS = {
 }  # fmt: skip
 #: Time before touch from which noise is estimated, and its distance from touch [s] (chosen).
 QUIET, CLEAR = 0.5, 0.01
-#: Doubt of a clock that only the impact itself aligns [s] (chosen: a frame at 200 Hz).
+#: Uncertainty of a clock that only the impact itself aligns [s] (chosen: a frame at 200 Hz).
 COARSE = 5e-3
 
 
-class ReadingPlan(Protocol):
+class WindowPlan(Protocol):
     """What of a plan tells how logs are read, as `FitPlan` has it."""
 
     @property
@@ -55,7 +55,7 @@ class ReadingPlan(Protocol):
 
     @property
     def start(self) -> StartFit:
-        """Doubt of the state before touch."""
+        """Uncertainty of the state before touch."""
 
     @property
     def thrust(self) -> float:
@@ -66,7 +66,7 @@ class ReadingPlan(Protocol):
         """Part that is read."""
 
 
-class Reading(NamedTuple):
+class ChannelWindow(NamedTuple):
     """One channel of an impact."""
 
     quantity: str
@@ -79,20 +79,20 @@ class Reading(NamedTuple):
     other_clock: bool
 
 
-class ImpactReadings(NamedTuple):
+class ImpactWindow(NamedTuple):
     """All readings of an impact."""
 
     name: str
     touch: float  # [s] from the start of the window, as found in the log
     release: float
     until: float  # end of the window [s]
-    start: StartGuess
-    readings: tuple[Reading, ...]
-    clock_doubt: float  # of other devices [s]
+    start: InitialState
+    readings: tuple[ChannelWindow, ...]
+    clock_uncertainty: float  # of other devices [s]
     thrust: dict[str, Any] | None  # ``thrust`` of a scenario, if speeds or commands were logged
 
-    def of(self, quantity: str) -> Reading | None:
-        """Reading of a quantity, if there is one."""
+    def of(self, quantity: str) -> ChannelWindow | None:
+        """ChannelWindow of a quantity, if there is one."""
         return next((one for one in self.readings if one.quantity == quantity), None)
 
 
@@ -102,14 +102,14 @@ class _Found(NamedTuple):
     shift: float  # added to its times
 
 
-def impact_readings(
-    plan: ReadingPlan,
+def impact_window(
+    plan: WindowPlan,
     scenario: Scenario,
     recordings: Sequence[Recording],
     impact: LogImpact,
     *,
     estimates: bool = False,
-) -> ImpactReadings:
+) -> ImpactWindow:
     """Readings of an impact that was found in the logs of a flight.
 
     Args:
@@ -125,9 +125,9 @@ def impact_readings(
             velocity of the scenario before touch.
     """
     inertial = _inertial(recordings)
-    tracks, doubt = _tracks(plan, recordings, inertial, impact, estimated=False)
+    tracks, uncertainty = _tracks(plan, recordings, inertial, impact, estimated=False)
     if estimates and not tracks:
-        tracks, doubt = _tracks(plan, recordings, inertial, impact, estimated=True)
+        tracks, uncertainty = _tracks(plan, recordings, inertial, impact, estimated=True)
     arms = [
         _Found(one, channel, 0.0)
         for one in recordings for channel in one.of(ARM_LENGTH)
@@ -149,11 +149,11 @@ def impact_readings(
             "begin with"
         )
     touch, release = impact.touch - begin, impact.release - begin
-    guess = start_guess(scenario, readings, touch)
+    guess = initial_state(scenario, readings, touch)
     told = logged_thrusts(scenario, recordings, (begin, end), impact.touch)
     thrust = None if told is None else told.table
     name = f"{impact.log} at {impact.touch:.3f} s"
-    return ImpactReadings(name, touch, release, end - begin, guess, readings, doubt, thrust)
+    return ImpactWindow(name, touch, release, end - begin, guess, readings, uncertainty, thrust)
 
 
 def _inertial(recordings: Sequence[Recording]) -> list[_Found]:
@@ -183,14 +183,14 @@ def _velocities(recordings: Sequence[Recording], used: Sequence[_Found]) -> list
 
 
 def _tracks(
-    plan: ReadingPlan,
+    plan: WindowPlan,
     recordings: Sequence[Recording],
     inertial: Sequence[_Found],
     impact: LogImpact,
     *,
     estimated: bool,
 ) -> tuple[list[_Found], float]:
-    """Measured positions and attitudes of the body, with the doubt of their clock [s]."""
+    """Measured positions and attitudes of the body, with the uncertainty of their clock [s]."""
     for recording in recordings:
         for position in recording.of(POSITION):
             if position.chain.estimated != estimated:
@@ -199,44 +199,44 @@ def _tracks(
                 (one for one in recording.of(ATTITUDE)
                  if one.clock == position.clock and one.chain.estimated == estimated), None,
             )  # fmt: skip
-            shift, doubt = _shift(plan, recording, position, attitude, inertial, impact)
+            shift, uncertainty = _shift(plan, recording, position, attitude, inertial, impact)
             pair = [position] if attitude is None else [position, attitude]
-            return [_Found(recording, one, shift) for one in pair], doubt
+            return [_Found(recording, one, shift) for one in pair], uncertainty
     return [], 0.0
 
 
 def _shift(
-    plan: ReadingPlan,
+    plan: WindowPlan,
     recording: Recording,
     position: LogChannel,
     attitude: LogChannel | None,
     inertial: Sequence[_Found],
     impact: LogImpact,
 ) -> tuple[float, float]:
-    """What is added to a track's clock to get the inertial unit's, and its doubt [s]."""
+    """What is added to a track's clock to get the inertial unit's, and its uncertainty [s]."""
     if not inertial:
         return 0.0, 0.0
     home = inertial[0]
     if home.recording is recording and home.channel.clock == position.clock:
         return 0.0, 0.0
     if plan.clocks.offset is not None:
-        return plan.clocks.offset, plan.clocks.doubt
+        return plan.clocks.offset, plan.clocks.uncertainty
     gyro = next((one for one in inertial if one.channel.quantity == ANGULAR_VELOCITY), None)
     if attitude is not None and gyro is not None:
         found: Offset = offset_of(recording, attitude, (gyro.recording, gyro.channel))
         if found.correlation >= ALIGNED:
-            return found.seconds, plan.clocks.doubt
+            return found.seconds, plan.clocks.uncertainty
     if home.recording is recording:  # one program wrote both
-        return 0.0, plan.clocks.doubt
+        return 0.0, plan.clocks.uncertainty
     at, _, bend = bends(position)
     if not len(at):
-        return 0.0, plan.clocks.doubt
+        return 0.0, plan.clocks.uncertainty
     size = np.linalg.norm(bend, axis=1)
     strongest = float(at[int(np.nanargmax(size))])
     return 0.5 * (impact.touch + impact.release) - strongest, COARSE
 
 
-def _window(plan: ReadingPlan, used: Sequence[_Found], impact: LogImpact) -> tuple[float, float]:
+def _window(plan: WindowPlan, used: Sequence[_Found], impact: LogImpact) -> tuple[float, float]:
     """Start and end of the part that is fitted [s], the start at a sample of the first channel."""
     contact = max(impact.release - impact.touch, 1e-3)
     after = plan.window.after
@@ -250,13 +250,13 @@ def _window(plan: ReadingPlan, used: Sequence[_Found], impact: LogImpact) -> tup
 
 
 def _reading(
-    plan: ReadingPlan,
+    plan: WindowPlan,
     one: _Found,
     begin: float,
     end: float,
     impact: LogImpact,
     inertial: Sequence[_Found],
-) -> Reading | None:
+) -> ChannelWindow | None:
     """Part of a channel in the window; None if it has too few samples there."""
     channel, quantity = one.channel, one.channel.quantity
     times = channel.times + one.shift
@@ -284,7 +284,7 @@ def _reading(
     home = inertial[0] if inertial else one
     other = not (one.recording is home.recording and channel.clock == home.channel.clock)
     chain = _with_range(channel)
-    return Reading(quantity, channel.name, at, values[inside], noise, starts, chain, other)
+    return ChannelWindow(quantity, channel.name, at, values[inside], noise, starts, chain, other)
 
 
 def _with_range(channel: LogChannel) -> SensorChain:
@@ -295,7 +295,7 @@ def _with_range(channel: LogChannel) -> SensorChain:
     return replace(chain, full_scale=float(np.nanmax(np.abs(channel.values[clipped]))))
 
 
-def _given_noise(plan: ReadingPlan, quantity: str) -> float | None:
+def _given_noise(plan: WindowPlan, quantity: str) -> float | None:
     sensors = plan.sensors
     return {
         SPECIFIC_FORCE: sensors.accelerometer.noise,

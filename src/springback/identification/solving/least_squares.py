@@ -62,7 +62,7 @@ def jacobians(evaluate: Residuals, points: Array, active: Any) -> tuple[Array, A
     return found[:, 0], slopes
 
 
-def solved(
+def solve(
     evaluate: Residuals,
     starts: Array,
     *,

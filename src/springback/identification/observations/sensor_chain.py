@@ -179,7 +179,7 @@ def attitude_errors(predicted: Array, measured: Array) -> Array:
     return small
 
 
-def smoothed(values: Array, rate: float, corner: float) -> Array:
+def smooth(values: Array, rate: float, corner: float) -> Array:
     """Zero-phase Butterworth filter of second order each way, along axis 1."""
     if corner >= 0.5 * rate:
         return values

@@ -40,7 +40,7 @@ class PooledValue(NamedTuple):
     """Value without each impact in turn."""
 
 
-def pooled(values: Array, deviations: Array, *, scatter: bool = True) -> PooledValue:
+def pool(values: Array, deviations: Array, *, scatter: bool = True) -> PooledValue:
     """Value that several impacts tell.
 
     Args:

@@ -2,7 +2,7 @@
 
 The likelihood of each candidate is that of a fit, with the scenario's sensors; its latents are
 taken out, what is left is information about the fields, and tests are chosen one after another for
-the smallest volume of doubt (D-optimal; Fedorov, Theory of Optimal Experiments, 1972).
+the smallest volume of uncertainty (D-optimal; Fedorov, Theory of Optimal Experiments, 1972).
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ import scipy  # submodules are loaded on first use
 
 from springback.errors import InputError
 from springback.identification.fits import base_scenario, fields_of_plan
-from springback.identification.fitting import ImpactFit
-from springback.identification.least_squares import jacobians
-from springback.identification.likelihood import ImpactProblem
-from springback.identification.noise import ChannelNoise, white_noise
-from springback.identification.readings import FLOORS, ImpactReadings, Reading
+from springback.identification.observations.initial_state import InitialState
+from springback.identification.observations.likelihood import ImpactProblem
+from springback.identification.observations.noise import ChannelNoise, white_noise
+from springback.identification.observations.windows import FLOORS, ChannelWindow, ImpactWindow
 from springback.identification.settings import FitPlan
-from springback.identification.starts import StartGuess
+from springback.identification.solving.fitting import ImpactFit
+from springback.identification.solving.least_squares import jacobians
 from springback.identification.unknowns import Unknown
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
@@ -44,7 +44,7 @@ AFTER = 0.2
 _HALF = float(scipy.stats.norm.ppf(0.975))
 
 
-class CandidateTest(NamedTuple):
+class CandidateExperiment(NamedTuple):
     """A test that could be flown."""
 
     name: str
@@ -52,21 +52,21 @@ class CandidateTest(NamedTuple):
     problem: str  # why it cannot be flown; empty if it can
 
 
-class ChosenTest(NamedTuple):
+class ChosenExperiment(NamedTuple):
     """A test that was chosen, and what is known after it."""
 
     name: str
     half_widths: tuple[float, ...]  # of 95 % intervals of the free fields, relative or SI
-    gain: float  # of ln of the volume of doubt
+    gain: float  # of ln of the volume of uncertainty
 
 
-class Advice(NamedTuple):
+class ExperimentPlan(NamedTuple):
     """Which tests to fly."""
 
     fields: tuple[Unknown, ...]  # free ones
     before: tuple[float, ...]  # half widths now
     alone: tuple[tuple[str, tuple[float, ...]], ...]  # of each candidate, half widths after it
-    chosen: tuple[ChosenTest, ...]
+    chosen: tuple[ChosenExperiment, ...]
     refused: tuple[tuple[str, str], ...]  # candidates that cannot be flown, and why
 
     @property
@@ -91,17 +91,17 @@ def width_text(field: Unknown, half_width: float) -> str:
     return f"{half_width:.2g} {field.unit}".strip()
 
 
-def advise(
+def plan_experiments(
     plan: FitPlan,
     folder: str | Path = ".",
     *,
     fits: Sequence[ImpactFit] = (),
     progress: Progress = silent,
-) -> Advice:
+) -> ExperimentPlan:
     """Tests that tell most.
 
     Args:
-        plan: Of the fit; its ``tests`` are the candidates.
+        plan: Of the fit; its ``candidates`` are the candidates.
         folder: That its paths are relative to.
         fits: Of impacts that were flown already.
         progress: Called from time to time with the share done.
@@ -121,16 +121,16 @@ def advise(
     )
     free = np.array([one.role == "free" for one in fields])
     usable = [one for one in found if not one.problem]
-    chosen: list[ChosenTest] = []
+    chosen: list[ChosenExperiment] = []
     total = known
-    for _ in range(plan.tests.count if usable else 0):
+    for _ in range(plan.candidates.count if usable else 0):
         volumes = [_volume(total + one.information, free) for one in usable]
         best = usable[int(np.argmin(volumes))]
         gain = _volume(total, free) - min(volumes)
         total = total + best.information
-        chosen.append(ChosenTest(best.name, _half_widths(fields, total), gain))
+        chosen.append(ChosenExperiment(best.name, _half_widths(fields, total), gain))
     alone = [(one.name, _half_widths(fields, known + one.information)) for one in usable]
-    return Advice(
+    return ExperimentPlan(
         tuple(one for one in fields if one.role == "free"),
         _half_widths(fields, known),
         tuple(alone),
@@ -141,13 +141,13 @@ def advise(
 
 def _candidates(plan: FitPlan, scenario: Scenario) -> list[tuple[str, list[str]]]:
     """Names and overrides of all candidates."""
-    tests, found = plan.tests, list[tuple[str, list[str]]]()
+    tests, found = plan.candidates, list[tuple[str, list[str]]]()
     velocity = np.array(scenario.start.velocity)
     speed = float(np.linalg.norm(velocity))
     if speed > 0.0:
         on_slider = scenario.model.slider is not None
         pitches, yaws = ((0.0,), (0.0,)) if on_slider else (tests.pitches, tests.yaws)
-        for fast, pitch, yaw in itertools.product(tests.speeds, pitches, yaws):
+        for fast, pitch, yaw in itertools.product(candidates.speeds, pitches, yaws):
             turned = "" if on_slider else (
                 f", pitch {math.degrees(pitch):g} deg, yaw {math.degrees(yaw):g} deg"
             )  # fmt: skip
@@ -156,22 +156,22 @@ def _candidates(plan: FitPlan, scenario: Scenario) -> list[tuple[str, list[str]]
                 change += [f"start.pitch={pitch!r}", f"start.yaw={yaw!r}"]
             distance = fast * plan.window.before
             found.append((f"{fast:g} m/s{turned}", [*change, f"start.touch_distance={distance!r}"]))
-    found += [(one.name, list(one.change)) for one in tests.others]
+    found += [(one.name, list(one.change)) for one in candidates.others]
     if not found:
         raise InputError(
-            "tests: there is none: the scenario's start.velocity is zero, and tests.others is empty"
+            "candidates: there is none: the scenario's start.velocity is zero, and candidates.others is empty"
         )
     return found
 
 
 def _candidate(
     plan: FitPlan, tables: dict[str, Any], fields: Sequence[Unknown], name: str, change: list[str]
-) -> CandidateTest:
+) -> CandidateExperiment:
     size = len(fields)
     try:
         changed = apply_overrides(tables, change)
         scenario = scenario_from(changed)
-        impact = planned_readings(plan, scenario, name)
+        impact = planned_window(plan, scenario, name)
         problem = ImpactProblem(plan, scenario, changed, fields, impact)
         middle = np.zeros(len(problem.unknowns))
         told = problem.predictions(middle)
@@ -179,8 +179,8 @@ def _candidate(
         problem.readings = list(readings)
         _, [slopes] = jacobians(problem, middle[None], np.ones(len(middle), dtype=bool))
     except InputError as error:
-        return CandidateTest(name, np.zeros((size, size)), "; ".join(error.problems))
-    return CandidateTest(name, _about_fields(slopes.T @ slopes, size), "")
+        return CandidateExperiment(name, np.zeros((size, size)), "; ".join(error.problems))
+    return CandidateExperiment(name, _about_fields(slopes.T @ slopes, size), "")
 
 
 def _about_fields(square: Array, size: int) -> Array:
@@ -195,7 +195,7 @@ def _told_by(fit: ImpactFit, size: int) -> Array:
 
 
 def _volume(information: Array, free: Any) -> float:
-    """Logarithm of the volume of doubt of the free fields, the known ones taken out."""
+    """Logarithm of the volume of uncertainty of the free fields, the known ones taken out."""
     covariance = np.linalg.inv(information)[np.ix_(free, free)]
     return 0.5 * float(np.linalg.slogdet(covariance)[1])
 
@@ -208,7 +208,7 @@ def _half_widths(fields: Sequence[Unknown], information: Array) -> tuple[float, 
     )  # fmt: skip
 
 
-def planned_readings(plan: FitPlan, scenario: Scenario, name: str) -> ImpactReadings:
+def planned_window(plan: FitPlan, scenario: Scenario, name: str) -> ImpactWindow:
     """Readings, without values yet, that the scenario's sensors would make of a test.
 
     Args:
@@ -218,15 +218,17 @@ def planned_readings(plan: FitPlan, scenario: Scenario, name: str) -> ImpactRead
     """
     sensors, before = scenario.sensors, plan.window.before
     until = before + (AFTER if plan.window.after is None else plan.window.after + 0.05)
-    readings: list[Reading] = []
+    readings: list[ChannelWindow] = []
 
     def add(quantity: str, rate: float, noise: ChannelNoise, other: bool, width: int) -> None:
         times = np.arange(0.0, until, 1.0 / rate)
         starts = np.arange(len(times)) == 0
         values, chain = np.zeros((len(times), width)), SensorChain()
-        readings.append(Reading(quantity, quantity, times, values, noise, starts, chain, other))
+        readings.append(
+            ChannelWindow(quantity, quantity, times, values, noise, starts, chain, other)
+        )
 
-    if "imu" in plan.tests.sensors:
+    if "imu" in plan.candidates.sensors:
         imu = sensors.imu
         rate = scenario.clock if imu.perfect else imu.rate
         for quantity, part, given in (
@@ -238,7 +240,7 @@ def planned_readings(plan: FitPlan, scenario: Scenario, name: str) -> ImpactRead
             noise = _filtered_noise(deviation, share, FLOORS[quantity])
             noise = noise if given is None else white_noise(given, 3)
             add(quantity, rate, noise, False, 3)
-    if "motion-capture" in plan.tests.sensors:
+    if "motion-capture" in plan.candidates.sensors:
         capture, told = sensors.motion_capture, plan.sensors.motion_capture
         rate = scenario.clock if capture.perfect else capture.rate
         for quantity, noise_of, given, width in (
@@ -246,18 +248,18 @@ def planned_readings(plan: FitPlan, scenario: Scenario, name: str) -> ImpactRead
             (ATTITUDE, capture.attitude_noise, told.attitude_noise, 4),
         ):
             deviation = given or max(noise_of, FLOORS[quantity])
-            add(quantity, rate, white_noise(deviation, 3), "imu" in plan.tests.sensors, width)
-    if "arm-length" in plan.tests.sensors:
+            add(quantity, rate, white_noise(deviation, 3), "imu" in plan.candidates.sensors, width)
+    if "arm-length" in plan.candidates.sensors:
         deviation = plan.sensors.arm_length.noise or FLOORS[ARM_LENGTH]
         rate = scenario.clock if sensors.hall.perfect else sensors.hall.rate
         add(ARM_LENGTH, rate, white_noise(deviation, 1), False, scenario.vehicle.arm_count)
     state = scenario.start_state()
-    guess = StartGuess(
+    guess = InitialState(
         np.array(state.position), np.array(state.velocity), np.array(state.attitude),
-        np.array(state.angular_velocity), "motion-capture" in plan.tests.sensors,
+        np.array(state.angular_velocity), "motion-capture" in plan.candidates.sensors,
     )  # fmt: skip
-    doubt = plan.clocks.doubt
-    return ImpactReadings(name, before, until, until, guess, tuple(readings), doubt, None)
+    uncertainty = plan.clocks.uncertainty
+    return ImpactWindow(name, before, until, until, guess, tuple(readings), uncertainty, None)
 
 
 def _filtered_noise(deviation: float, share: float, floor: float) -> ChannelNoise:

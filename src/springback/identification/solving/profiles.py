@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import scipy  # submodules are loaded on first use
 
-from springback.identification.least_squares import Residuals, solved
+from springback.identification.solving.least_squares import Residuals, solve
 from springback.identification.unknowns import FARTHEST
 from springback.logs.recording import Array
 
@@ -74,7 +74,7 @@ class _End:
         self.reach = float(min(new, self.limit))
 
 
-def profiled(
+def profile_likelihoods(
     evaluate: Residuals, point: Array, cost: float, covariance: Array, free: Any
 ) -> tuple[dict[str, Profile], Array | None]:
     """Profiles of the free numbers; and a better optimum, if one was found on the way.
@@ -106,7 +106,7 @@ def profiled(
             starts[row] = np.clip(point + end.sign * end.reach * ways[k], -FARTHEST, FARTHEST)
             starts[row, end.place] = point[end.place] + end.sign * end.reach
             held[row, end.place] = True
-        found = solved(
+        found = solve(
             evaluate, starts, farthest=FARTHEST, held=held, rounds=FITTING, enough=FITTED,
             damping=1e-6, together=False,
         )  # fmt: skip

@@ -13,13 +13,13 @@ from springback.scenario.model import way_to_touch
 from springback.scenario.scenario import Scenario
 
 if TYPE_CHECKING:
-    from springback.identification.readings import Reading
+    from springback.identification.observations.windows import ChannelWindow
 
 #: Fewest samples of a track before touch, and distance from touch [s] (chosen).
 FEWEST, CLEAR = 5, 5e-3
 
 
-class StartGuess(NamedTuple):
+class InitialState(NamedTuple):
     """State at the start of the window."""
 
     position: Array  # world [m]
@@ -28,17 +28,19 @@ class StartGuess(NamedTuple):
     angular_velocity: Array  # body [rad/s]
     tracked: bool  # a track tells the position, else the scenario
 
-    def moved(self, shift: Any) -> StartGuess:
+    def displace(self, shift: Any) -> InitialState:
         """The guess with a latent's change, shape (12,): position, velocity, turn, rate."""
         turn = vector_quaternion(np.asarray(shift[6:9]))
         attitude = product(self.attitude, turn)
-        return StartGuess(
+        return InitialState(
             self.position + shift[:3], self.velocity + shift[3:6],
             attitude / np.linalg.norm(attitude), self.angular_velocity + shift[9:12], self.tracked,
         )  # fmt: skip
 
 
-def start_guess(scenario: Scenario, readings: Sequence[Reading], touch: float) -> StartGuess:
+def initial_state(
+    scenario: Scenario, readings: Sequence[ChannelWindow], touch: float
+) -> InitialState:
     """State at the start of the window, from the tracks before touch, else from the scenario.
 
     Args:
@@ -69,10 +71,10 @@ def start_guess(scenario: Scenario, readings: Sequence[Reading], touch: float) -
         unit, home = np.array(axis) / np.linalg.norm(axis), np.array(state.position)
         position = home + ((position - home) @ unit) * unit
         velocity = (velocity @ unit) * unit
-    return StartGuess(position, velocity, attitude, omega, tracked is not None)
+    return InitialState(position, velocity, attitude, omega, tracked is not None)
 
 
-def _line(track: Reading | None, touch: float) -> tuple[Array, Array] | None:
+def _line(track: ChannelWindow | None, touch: float) -> tuple[Array, Array] | None:
     """Position and velocity at the start of the window, by a parabola through a track."""
     if track is None:
         return None
@@ -84,7 +86,7 @@ def _line(track: Reading | None, touch: float) -> tuple[Array, Array] | None:
     return fit[0], fit[1]
 
 
-def _turn(track: Reading | None, touch: float) -> tuple[Array, Array] | None:
+def _turn(track: ChannelWindow | None, touch: float) -> tuple[Array, Array] | None:
     """Attitude at the start of the window and the rate of turn, body axes."""
     if track is None:
         return None

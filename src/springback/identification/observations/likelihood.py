@@ -9,16 +9,21 @@ import numpy as np
 
 from springback.batch.sampled import StateSamples, sampled_flights
 from springback.errors import InputError
-from springback.identification.noise import STUDENT
-from springback.identification.readings import CLEAR, ImpactReadings, Reading, ReadingPlan
-from springback.identification.sensor_chain import (
+from springback.identification.observations.noise import STUDENT
+from springback.identification.observations.sensor_chain import (
     ChannelChain,
     Interpolator,
     attitude_errors,
     channel_output,
     fine_grid,
     inertial_means,
-    smoothed,
+    smooth,
+)
+from springback.identification.observations.windows import (
+    CLEAR,
+    ChannelWindow,
+    ImpactWindow,
+    WindowPlan,
 )
 from springback.identification.settings import InertialChannel
 from springback.identification.unknowns import FARTHEST, Unknown, latent, with_values
@@ -37,7 +42,7 @@ from springback.sensing.hall import HallSensors, slope
 #: Scale of Student's t at which normal noise of deviation 1 has equal score variance and
 #: curvature, so that intervals keep their cover (solved numerically, for 4 degrees of freedom).
 STUDENT_SCALE = 0.8977
-#: Factor of the start's doubts where no track tells them (chosen).
+#: Factor of the start's uncertainties where no track tells them (chosen).
 UNTRACKED = 3.0
 #: Time after release from which residuals tell of noise [s], and deviations beyond which a sample
 #: is an outlier (chosen).
@@ -50,11 +55,11 @@ class ImpactProblem:
 
     def __init__(
         self,
-        plan: ReadingPlan,
+        plan: WindowPlan,
         scenario: Scenario,
         tables: Mapping[str, Any],
         fields: Sequence[Unknown],
-        impact: ImpactReadings,
+        impact: ImpactWindow,
     ) -> None:
         """Prepare the unknowns and the instants.
 
@@ -94,26 +99,26 @@ class ImpactProblem:
         wide = 1.0 if self.impact.start.tracked else UNTRACKED
         s = plan.start
         if self.slider is None:
-            for name, doubt, unit in (
+            for name, uncertainty, unit in (
                 ("position", s.position, "m"), ("velocity", s.velocity, "m/s"),
                 ("attitude", s.attitude, "rad"), ("angular velocity", s.angular_velocity, "rad/s"),
             ):  # fmt: skip
-                found += [latent(f"start {name} {a}", wide * doubt, unit) for a in _AXES]
+                found += [latent(f"start {name} {a}", wide * uncertainty, unit) for a in _AXES]
             found.append(latent("thrust factor", plan.thrust, "", centre=1.0))
         else:
             found.append(latent("start position", wide * s.position, "m"))
             found.append(latent("start velocity", wide * s.velocity, "m/s"))
         names = {one.quantity: one for one in self.readings}
         sensors = plan.sensors
-        for quantity, doubt, word, unit in (
+        for quantity, uncertainty, word, unit in (
             (SPECIFIC_FORCE, sensors.accelerometer.bias, "accelerometer bias", "m/s^2"),
             (ANGULAR_VELOCITY, sensors.gyroscope.bias, "gyroscope bias", "rad/s"),
             (POSITION, sensors.motion_capture.offset, "motion capture offset", "m"),
         ):
             if quantity in names:
-                found += [latent(f"{word} {a}", doubt, unit, flies=False) for a in _AXES]
+                found += [latent(f"{word} {a}", uncertainty, unit, flies=False) for a in _AXES]
         if any(one.other_clock for one in self.readings):
-            found.append(latent("clock offset", self.impact.clock_doubt, "s", flies=False))
+            found.append(latent("clock offset", self.impact.clock_uncertainty, "s", flies=False))
         return found
 
     def _columns(self, u: Array, *names: str) -> Array:
@@ -146,7 +151,7 @@ class ImpactProblem:
                 f"start {name} {a}"
                 for name in ("position", "velocity", "attitude", "angular velocity") for a in _AXES
             ]  # fmt: skip
-            moved = start.moved(self._columns(u[None], *names)[0])
+            moved = start.displace(self._columns(u[None], *names)[0])
             tables["start"] = {
                 "position": moved.position.tolist(), "velocity": moved.velocity.tolist(),
                 "quaternion": moved.attitude.tolist(),
@@ -184,12 +189,12 @@ class ImpactProblem:
 
     def refine_noise(self, u: Array) -> None:
         """Estimate noise again, by the residuals outside the contact at a point, too."""
-        errors, impact, better = self.errors(u), self.impact, list[Reading]()
+        errors, impact, better = self.errors(u), self.impact, list[ChannelWindow]()
         for one in self.readings:
             white = errors[one.name]
             outside = (one.times < impact.touch - CLEAR) | (one.times > impact.release + SETTLED)
             outside &= (np.abs(white) < OUTLIER).all(axis=1) & (white != 0.0).any(axis=1)
-            better.append(one._replace(noise=one.noise.refined(white[outside])))
+            better.append(one._replace(noise=one.noise.with_residuals(white[outside])))
         self.readings = better
 
     def errors(self, u: Array) -> dict[str, Array]:
@@ -211,14 +216,16 @@ class ImpactProblem:
         found = {one.name: self._predicted(one, samples, which, points) for one in self.readings}
         return {name: values if u.ndim > 1 else values[0] for name, values in found.items()}
 
-    def _channel_rows(self, one: Reading, samples: StateSamples, which: Any, u: Array) -> Array:
+    def _channel_rows(
+        self, one: ChannelWindow, samples: StateSamples, which: Any, u: Array
+    ) -> Array:
         white = self._white(one, samples, which, u)
         if one.quantity in (POSITION, ATTITUDE):
             square = (white / STUDENT_SCALE) ** 2
             white = np.sign(white) * np.sqrt((STUDENT + 1.0) * np.log1p(square / STUDENT))
         return white.reshape(len(u), -1)
 
-    def _white(self, one: Reading, samples: StateSamples, which: Any, u: Array) -> Array:
+    def _white(self, one: ChannelWindow, samples: StateSamples, which: Any, u: Array) -> Array:
         predicted = self._predicted(one, samples, which, u)
         if one.quantity == ATTITUDE:
             rest = attitude_errors(predicted, one.values)
@@ -227,9 +234,9 @@ class ImpactProblem:
         if one.quantity == ARM_LENGTH:
             sigma = np.hypot(one.noise.stationary, self.resolution(one))
             return np.where(np.isnan(rest), 0.0, rest / sigma)
-        return one.noise.whitened(rest, one.starts)
+        return one.noise.whiten(rest, one.starts)
 
-    def _predicted(self, one: Reading, samples: StateSamples, which: Any, u: Array) -> Array:
+    def _predicted(self, one: ChannelWindow, samples: StateSamples, which: Any, u: Array) -> Array:
         if one.quantity in (SPECIFIC_FORCE, ANGULAR_VELOCITY):
             return self._inertial(one, samples, which, u)
         times = np.broadcast_to(one.times, (len(u), len(one.times)))
@@ -252,10 +259,10 @@ class ImpactProblem:
         place = place + self._columns(u, *names)[:, None]
         corner = self.plan.sensors.motion_capture.smoothing
         if corner is not None and len(one.times) > 3:
-            place = smoothed(place, 1.0 / float(np.median(np.diff(one.times))), corner)
+            place = smooth(place, 1.0 / float(np.median(np.diff(one.times))), corner)
         return place
 
-    def _inertial(self, one: Reading, samples: StateSamples, which: Any, u: Array) -> Array:
+    def _inertial(self, one: ChannelWindow, samples: StateSamples, which: Any, u: Array) -> Array:
         place = self.plan.sensors.place or self.scenario.sensors.imu.offset
         means = inertial_means(samples, np.array(place), self.scenario.world.gravity)
         is_force = one.quantity == SPECIFIC_FORCE
@@ -264,7 +271,7 @@ class ImpactProblem:
         bias = self._columns(u, *(f"{word} {a}" for a in _AXES))
         return channel_output(true[which], bias, self.chain(one), samples.times, one.times)
 
-    def chain(self, one: Reading) -> ChannelChain:
+    def chain(self, one: ChannelWindow) -> ChannelChain:
         """Chain of an inertial channel: as the plan has it, else the log, else the scenario."""
         is_force = one.quantity == SPECIFIC_FORCE
         sensors, told = self.plan.sensors, one.chain
@@ -281,7 +288,7 @@ class ImpactProblem:
             low = part.bandwidth if low is None else low
         return ChannelChain(full, low, average)
 
-    def resolution(self, one: Reading) -> Any:
+    def resolution(self, one: ChannelWindow) -> Any:
         """Standard deviation of a count of the converter at each arm length [m]."""
         s = self.scenario
         if "sensors" not in s.model_fields_set or s.sensors.hall.perfect:
@@ -298,7 +305,7 @@ class ImpactProblem:
         return FARTHEST
 
 
-def open_loop(tables: Mapping[str, Any], impact: ImpactReadings) -> dict[str, Any]:
+def open_loop(tables: Mapping[str, Any], impact: ImpactWindow) -> dict[str, Any]:
     """Tables of a flight without avionics, under the thrusts that were logged, or hovering."""
     left_out = ("reference", "pilot", "recovery", "control", "estimator", "second", "sensors")
     kept = {key: value for key, value in tables.items() if key not in left_out}

@@ -18,10 +18,10 @@ import numpy as np
 
 from springback.errors import InputError
 from springback.identification.fits import base_scenario, fields_of_plan, result_of
-from springback.identification.fitting import fit_impact
-from springback.identification.likelihood import ImpactProblem
-from springback.identification.readings import impact_readings
+from springback.identification.observations.likelihood import ImpactProblem
+from springback.identification.observations.windows import impact_window
 from springback.identification.settings import FitPlan
+from springback.identification.solving.fitting import fit_impact
 from springback.identification.unknowns import Unknown
 from springback.intervals import wilson
 from springback.logs.recording import Recording
@@ -39,7 +39,7 @@ DISPLACED, WITHIN = 0.01, 2.0
 #: Share of the nominal cover of 95 % (chosen as in the acceptance of the design: 90 to 98 %).
 LEAST_COVER, MOST_COVER = 0.90, 0.98
 
-Spoil = Callable[[Recording], Recording]
+Corruption = Callable[[Recording], Recording]
 """Change of a recording before it is fitted, such as what a sensor does that a plan ignores."""
 
 
@@ -74,7 +74,7 @@ class Coverage(NamedTuple):
     latents: dict[str, float]  # median standard deviation [SI]
 
 
-class SetOutcome(NamedTuple):
+class SyntheticFit(NamedTuple):
     """One set."""
 
     errors: dict[str, float]  # of a field, u found less u true
@@ -119,11 +119,11 @@ def check_coverage(
     return coverage_of(fields, outcomes)
 
 
-def _job(given: tuple[FitPlan, dict[str, Any], list[Unknown], int]) -> SetOutcome:
+def _job(given: tuple[FitPlan, dict[str, Any], list[Unknown], int]) -> SyntheticFit:
     return fitted_set(*given)
 
 
-def coverage_of(fields: Sequence[Unknown], outcomes: Sequence[SetOutcome]) -> Coverage:
+def coverage_of(fields: Sequence[Unknown], outcomes: Sequence[SyntheticFit]) -> Coverage:
     """Coverage of some sets.
 
     Raises:
@@ -165,8 +165,8 @@ def fitted_set(
     seed: int,
     *,
     truth: Mapping[str, Any] | None = None,
-    spoil: Spoil | None = None,
-) -> SetOutcome:
+    corrupt: Corruption | None = None,
+) -> SyntheticFit:
     """Fly, record and fit one set.
 
     Args:
@@ -175,14 +175,14 @@ def fitted_set(
         fields: Of the plan.
         seed: Of the set.
         truth: Tables that are flown in place of those that are fitted, with the same fields.
-        spoil: Change of the recording.
+        corrupt: Change of the recording.
     """
     generator = stream(plan.seed, Purpose.TRIAL, seed)
     displaced = _displaced(fields, generator)
     flown = _flown_tables(dict(tables if truth is None else truth), seed, generator)
     try:
         recording = flight_recording(fly(scenario_from(flown)), Path(f"set {seed}"))
-        recording = recording if spoil is None else spoil(recording)
+        recording = recording if corrupt is None else corrupt(recording)
         drops = plan.experiment == "drop"
         found = [one for one in find_impacts([recording], drops=drops) if not one.refused]
         if not found:
@@ -190,12 +190,12 @@ def fitted_set(
         believed: Scenario = scenario_from(dict(tables))
         fits = []
         for impact in found:
-            readings = impact_readings(plan, believed, [recording], impact)
+            readings = impact_window(plan, believed, [recording], impact)
             problem = ImpactProblem(plan, believed, tables, displaced, readings)
             fits.append(fit_impact(problem, starts=plan.starts, seed=plan.seed))
         result = result_of(plan, fits)
     except InputError as error:
-        return SetOutcome({}, {}, {}, {}, False, 0.0, "; ".join(error.problems))
+        return SyntheticFit({}, {}, {}, {}, False, 0.0, "; ".join(error.problems))
     errors, ends, deviations = {}, {}, {}
     for estimate, original in zip(result.estimates, fields, strict=True):
         unknown = estimate.unknown
@@ -211,7 +211,7 @@ def fitted_set(
         for one in last.problem.unknowns if one.role == "latent"
     }  # fmt: skip
     alarm = any(one.is_misfit for one in result.misfits)
-    return SetOutcome(
+    return SyntheticFit(
         errors, ends, deviations, latents, alarm, sum(fit.seconds for fit in fits), ""
     )
 

@@ -32,7 +32,7 @@ class ChannelNoise(NamedTuple):
     freedom: float = np.inf
     """Degrees of freedom of its estimate; infinite if it was given."""
 
-    def refined(self, white: Array) -> ChannelNoise:
+    def with_residuals(self, white: Array) -> ChannelNoise:
         """The noise with further residuals, by which few samples before touch are not alone.
 
         Args:
@@ -46,7 +46,7 @@ class ChannelNoise(NamedTuple):
             self.coefficients, scale * self.innovation, scale * self.stationary, total
         )
 
-    def whitened(self, residuals: Array, starts: Array) -> Array:
+    def whiten(self, residuals: Array, starts: Array) -> Array:
         """Residuals as independent numbers of standard deviation 1.
 
         Args:

@@ -1,0 +1,1 @@
+"""Design of tests: which impact to fly next, and whether intervals cover."""

@@ -1,0 +1,1 @@
+"""Observations of impacts: windows of logs, noise, what sensors would tell, likelihood."""

@@ -1,0 +1,1 @@
+"""Solving fits: least squares in lanes, starts, profiles, several impacts together."""
