@@ -76,7 +76,9 @@ def test_truth_is_within_narrow_intervals(name: str, request: pytest.FixtureRequ
 
 
 def test_profiles_rise_by_what_the_ends_say(arq: FitResult) -> None:
-    for name, profile in arq.fits[0].profiles.items():
+    profiles = arq.fits[0].profiles
+    assert len(profiles) == 4
+    for name, profile in profiles.items():
         at = arq.fits[0].point[arq.fits[0].problem.place[name]]
         assert profile.low < at < profile.high
         rises = [rise for u, rise in profile.points if u != at]
@@ -173,6 +175,7 @@ def test_the_example_tells_the_numbers_that_its_log_was_made_with() -> None:
     plan = read_fit_plan(EXAMPLES / "fit.toml", ["starts=2"])
     found = fit(plan, EXAMPLES)
     true = TRUE | {"world.obstacles.0.surface.friction": 0.8}
+    assert len(found.estimates) == 7
     for one in found.estimates:
         if one.unknown.role == "free":
             assert one.low <= true[one.unknown.name] <= one.high

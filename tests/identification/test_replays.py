@@ -15,9 +15,9 @@ from click.testing import CliRunner
 
 from builders.recordings import GRAVITY, acceleration_at, attitude_at, rate_at, track_at
 from springback.errors import InputError
+from springback.identification.observations.channel_window import ChannelWindow
 from springback.identification.observations.initial_state import InitialState
 from springback.identification.observations.noise import white_noise
-from springback.identification.observations.windows import ChannelWindow
 from springback.identification.replays.errors import (
     STROKE,
     TOUCH,

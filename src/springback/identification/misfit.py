@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 import numpy as np
 import scipy  # submodules are loaded on first use
 
+from springback.identification.observations.channel_window import ChannelWindow
 from springback.identification.observations.likelihood import OUTLIER
-from springback.identification.observations.windows import ChannelWindow
 from springback.identification.solving.fitting import ImpactFit
 from springback.logs.recording import ANGULAR_VELOCITY, SPECIFIC_FORCE, Array
 

@@ -18,10 +18,11 @@ import scipy  # submodules are loaded on first use
 
 from springback.errors import InputError
 from springback.identification.fits import base_scenario, fields_of_plan
+from springback.identification.observations.channel_window import ChannelWindow
 from springback.identification.observations.initial_state import InitialState
 from springback.identification.observations.likelihood import ImpactProblem
 from springback.identification.observations.noise import ChannelNoise, white_noise
-from springback.identification.observations.windows import FLOORS, ChannelWindow, ImpactWindow
+from springback.identification.observations.windows import FLOORS, ImpactWindow
 from springback.identification.settings import FitPlan
 from springback.identification.solving.fitting import ImpactFit
 from springback.identification.solving.least_squares import jacobians
@@ -141,13 +142,13 @@ def plan_experiments(
 
 def _candidates(plan: FitPlan, scenario: Scenario) -> list[tuple[str, list[str]]]:
     """Names and overrides of all candidates."""
-    tests, found = plan.candidates, list[tuple[str, list[str]]]()
+    given, found = plan.candidates, list[tuple[str, list[str]]]()
     velocity = np.array(scenario.start.velocity)
     speed = float(np.linalg.norm(velocity))
     if speed > 0.0:
         on_slider = scenario.model.slider is not None
-        pitches, yaws = ((0.0,), (0.0,)) if on_slider else (tests.pitches, tests.yaws)
-        for fast, pitch, yaw in itertools.product(candidates.speeds, pitches, yaws):
+        pitches, yaws = ((0.0,), (0.0,)) if on_slider else (given.pitches, given.yaws)
+        for fast, pitch, yaw in itertools.product(given.speeds, pitches, yaws):
             turned = "" if on_slider else (
                 f", pitch {math.degrees(pitch):g} deg, yaw {math.degrees(yaw):g} deg"
             )  # fmt: skip
@@ -156,10 +157,11 @@ def _candidates(plan: FitPlan, scenario: Scenario) -> list[tuple[str, list[str]]
                 change += [f"start.pitch={pitch!r}", f"start.yaw={yaw!r}"]
             distance = fast * plan.window.before
             found.append((f"{fast:g} m/s{turned}", [*change, f"start.touch_distance={distance!r}"]))
-    found += [(one.name, list(one.change)) for one in candidates.others]
+    found += [(one.name, list(one.change)) for one in given.others]
     if not found:
         raise InputError(
-            "candidates: there is none: the scenario's start.velocity is zero, and candidates.others is empty"
+            "candidates: there is none: the scenario's start.velocity is zero, and "
+            "candidates.others is empty"
         )
     return found
 

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.identification.observations.channel_window import ChannelWindow
 from springback.logs.frame_turns import conjugate, product, rotation_vector, vector_quaternion
 from springback.logs.recording import ANGULAR_VELOCITY, ATTITUDE, POSITION, Array
 from springback.scenario.model import way_to_touch
 from springback.scenario.scenario import Scenario
-
-if TYPE_CHECKING:
-    from springback.identification.observations.windows import ChannelWindow
 
 #: Fewest samples of a track before touch, and distance from touch [s] (chosen).
 FEWEST, CLEAR = 5, 5e-3

@@ -9,6 +9,7 @@ import numpy as np
 
 from springback.batch.sampled import StateSamples, sampled_flights
 from springback.errors import InputError
+from springback.identification.observations.channel_window import ChannelWindow
 from springback.identification.observations.noise import STUDENT
 from springback.identification.observations.sensor_chain import (
     ChannelChain,
@@ -21,7 +22,6 @@ from springback.identification.observations.sensor_chain import (
 )
 from springback.identification.observations.windows import (
     CLEAR,
-    ChannelWindow,
     ImpactWindow,
     WindowPlan,
 )

@@ -9,8 +9,9 @@ from typing import Any, NamedTuple, Protocol
 import numpy as np
 
 from springback.errors import InputError
+from springback.identification.observations.channel_window import ChannelWindow
 from springback.identification.observations.initial_state import InitialState, initial_state
-from springback.identification.observations.noise import ChannelNoise, estimated_noise, white_noise
+from springback.identification.observations.noise import estimated_noise, white_noise
 from springback.identification.settings import ClockFit, FitSensors, StartFit, WindowFit
 from springback.logs.clocks import GAP, Offset
 from springback.logs.frame_check import bends, offset_of
@@ -22,7 +23,6 @@ from springback.logs.recording import (
     POSITION,
     SPECIFIC_FORCE,
     VELOCITY,
-    Array,
     LogChannel,
     Recording,
     SensorChain,
@@ -64,19 +64,6 @@ class WindowPlan(Protocol):
     @property
     def window(self) -> WindowFit:
         """Part that is read."""
-
-
-class ChannelWindow(NamedTuple):
-    """One channel of an impact."""
-
-    quantity: str
-    name: str
-    times: Array  # [s] from the start of the window, shape (samples,)
-    values: Array  # SI, shape (samples, width); NaN where lost
-    noise: ChannelNoise
-    starts: Any  # True for samples that follow a gap, and for the first
-    chain: SensorChain
-    other_clock: bool
 
 
 class ImpactWindow(NamedTuple):

@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.identification.observations.channel_window import ChannelWindow
 from springback.identification.observations.sensor_chain import attitude_errors
-from springback.identification.observations.windows import ChannelWindow
 from springback.identification.replays.features import ForceRise
 from springback.identification.replays.replay import Replay
 from springback.logs.frame_turns import conjugate, product, rotation_vector

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.identification.observations.windows import ChannelWindow
+from springback.identification.observations.channel_window import ChannelWindow
 from springback.logs.recording import Array
 
 #: Share of the recorded peak at which touch is read off (chosen: below it is the slow rise of a

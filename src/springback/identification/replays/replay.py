@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.errors import InputError
+from springback.identification.observations.channel_window import ChannelWindow
 from springback.identification.observations.initial_state import InitialState, initial_state
 from springback.identification.observations.likelihood import ImpactProblem
 from springback.identification.observations.windows import (
-    ChannelWindow,
     ImpactWindow,
     impact_window,
 )

@@ -7,9 +7,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.identification.observations.channel_window import ChannelWindow
 from springback.identification.observations.initial_state import InitialState
 from springback.identification.observations.noise import ChannelNoise
-from springback.identification.observations.windows import ChannelWindow
 from springback.identification.settings import FitSensors, StartFit
 from springback.logs.frame_turns import (
     conjugate,

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.identification.observations.windows import ChannelWindow
+from springback.identification.observations.channel_window import ChannelWindow
 from springback.identification.solving.fitting import ImpactFit
 from springback.logs.frame_turns import conjugate, product, rotation_vector
 from springback.logs.recording import ANGULAR_VELOCITY, ATTITUDE, POSITION, SPECIFIC_FORCE, Array
