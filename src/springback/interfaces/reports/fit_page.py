@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from springback.identification.design.experiments import ExperimentPlan
 from springback.identification.estimates import FieldEstimate, correlations
 from springback.identification.fits import FitResult
 from springback.identification.misfit import UNLIKELY
@@ -28,6 +29,7 @@ from springback.interfaces.reports.fit_tables import (
     assumption_rows,
     channel_rows,
     estimate_cells,
+    experiment_rows,
     field_rows,
     impact_head,
     impact_rows,
@@ -40,7 +42,6 @@ from springback.interfaces.reports.fit_tables import (
     value_text,
 )
 from springback.interfaces.reports.page import (
-    Blocks,
     Content,
     FigureBlock,
     Table,
@@ -59,19 +60,19 @@ RELATED, MOST_LATENTS = 0.5, 6
 MOST_ASSUMED = 12
 
 
-def write_report(result: FitResult, folder: Path, chosen_plan: Blocks = ()) -> Path:
+def write_report(result: FitResult, folder: Path, further: ExperimentPlan | None = None) -> Path:
     """Write the page ``report.html`` of a fit; see `fit_page`."""
     path = folder / REPORT
-    path.write_text(fit_page(result, chosen_plan), encoding="utf-8")
+    path.write_text(fit_page(result, further), encoding="utf-8")
     return path
 
 
-def fit_page(result: FitResult, chosen_plan: Blocks = ()) -> str:
+def fit_page(result: FitResult, further: ExperimentPlan | None = None) -> str:
     """Self-contained HTML page of a fit; some hundred flights are flown for it.
 
     Args:
         result: With its fits.
-        chosen_plan: On what to measure next: paragraphs, tables and figures.
+        further: Tests that tell most next.
     """
     fits = result.fits
     flights, seconds = sum(fit.problem.flown for fit in fits), sum(fit.seconds for fit in fits)
@@ -93,7 +94,7 @@ def fit_page(result: FitResult, chosen_plan: Blocks = ()) -> str:
         "correlations": {"pictures": _correlations(fits)},
         "impacts": _impacts(result),
         "assumed": _assumed(result),
-        "next": _next(result, chosen_plan),
+        "next": _next(result, further),
         "method": method,
     }  # fmt: skip
     shown = {name: held for name, held in content.items() if any(held.values())}
@@ -235,10 +236,16 @@ def _assumed(result: FitResult) -> Content:
     return {"tables": tables, "sentences": said}
 
 
-def _next(result: FitResult, chosen_plan: Blocks) -> Content:
+def _next(result: FitResult, further: ExperimentPlan | None) -> Content:
     rows = narrower_rows(result.estimates, *mean_correlations(result.fits))
     tables = [table(WORDS.text["narrower"], WORDS.head("narrower"), rows)] if rows else []
-    return {"chosen_plan": chosen_plan, "tables": tables, "always": True}
+    said = list[str]()
+    if further is not None:
+        said.append(further.sentence)
+        head = [WORDS.text["candidate"], *short_names([one.name for one in further.fields])]
+        rows = experiment_rows(further)
+        tables.insert(0, table(WORDS.text["experiments"], head, rows))
+    return {"advice": tuple(said), "tables": tables, "always": True}
 
 
 def _method(result: FitResult, flights: int) -> Content:

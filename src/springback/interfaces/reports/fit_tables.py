@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from springback.identification.design.experiments import ExperimentPlan, width_text
 from springback.identification.estimates import FieldEstimate
 from springback.identification.fits import FitResult
 from springback.identification.misfit import ChannelMisfit
@@ -210,6 +211,17 @@ def narrower_rows(estimates: Sequence[FieldEstimate], names: Sequence[str], matr
             name = TableCell(one.unknown.name, code=True)
             rows.append((best, [name, one.unknown.uncertainty, text]))
     return [cells for _, cells in sorted(rows, key=lambda entry: -entry[0])]
+
+
+def experiment_rows(further: ExperimentPlan) -> Rows:
+    """Half widths of 95 % intervals now, and after each of the chosen tests."""
+    named = [("now", further.before)]
+    named += [(f"{k}. {one.name}", one.half_widths)
+              for k, one in enumerate(further.chosen, start=1)]  # fmt: skip
+    return [
+        [name, *(f"± {width_text(f, w)}" for f, w in zip(further.fields, widths, strict=True))]
+        for name, widths in named
+    ]
 
 
 def search_rows(fits: Sequence[ImpactFit]) -> Rows:

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import click
 
+from springback.errors import InputError
 from springback.interfaces.cli.common import Output, Terminal, output_options, terminal_options
 from springback.interfaces.cli.completion import ScenarioPath
 
@@ -52,10 +53,15 @@ def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
             result = carry_out(ready, plan.parent, progress=progress)
         written, data, text = write_files(result, folder), as_data(result), fit_text(result)
         if output.wants_figures():
+            from springback.identification.design.experiments import plan_experiments
             from springback.interfaces.reports.fit_page import write_report
 
-            with output.spinner("drawing the report"):
-                written.append(write_report(result, folder))
+            with output.spinner("weighing further tests, drawing the report"):
+                try:
+                    further = plan_experiments(ready, plan.parent, fits=result.fits)
+                except InputError:  # the scenario's start hits nothing: the logs tell the start
+                    further = None
+                written.append(write_report(result, folder, further))
     output.print(data, text)
     output.note_written(written)
     if not result.is_informative:
@@ -151,33 +157,33 @@ def plan_tests(plan: Path, overrides: tuple[str, ...], terminal: Terminal) -> No
     ready = read_fit_plan(plan, overrides)
     with terminal.progress_bar("weighing tests") as progress:
         fits = carry_out(ready, plan.parent).fits if ready.flights else ()
-        chosen_plan = plan_experiments(ready, plan.parent, fits=fits, progress=progress)
-    data = chosen_plan._asdict() | {
-        "fields": [one.name for one in chosen_plan.fields], "sentence": chosen_plan.sentence,
-        "chosen": [one._asdict() for one in chosen_plan.chosen],
+        found = plan_experiments(ready, plan.parent, fits=fits, progress=progress)
+    data = found._asdict() | {
+        "fields": [one.name for one in found.fields], "sentence": found.sentence,
+        "chosen": [one._asdict() for one in found.chosen],
     }  # fmt: skip
-    terminal.print(data, experiments_text(chosen_plan))
-    if not chosen_plan.chosen:
+    terminal.print(data, experiments_text(found))
+    if not found.chosen:
         sys.exit(1)
 
 
-def experiments_text(chosen_plan: ExperimentPlan) -> str:
+def experiments_text(found: ExperimentPlan) -> str:
     """ExperimentPlan on the terminal: half widths of 95 % intervals."""
     from springback.identification.design.experiments import width_text
 
     def row(name: str, widths: tuple[float, ...]) -> list[str]:
-        return [name, *(width_text(f, w) for f, w in zip(chosen_plan.fields, widths, strict=True))]
+        return [name, *(width_text(f, w) for f, w in zip(found.fields, widths, strict=True))]
 
     rows = [
-        ["half widths", *(one.name for one in chosen_plan.fields)],
-        row("now", chosen_plan.before),
+        ["half widths", *(one.name for one in found.fields)],
+        row("now", found.before),
     ]
-    rows += [row(f"with {name}", widths) for name, widths in chosen_plan.alone]
+    rows += [row(f"with {name}", widths) for name, widths in found.alone]
     rows += [row(f"{k}. {one.name}", one.half_widths)
-             for k, one in enumerate(chosen_plan.chosen, start=1)]  # fmt: skip
+             for k, one in enumerate(found.chosen, start=1)]  # fmt: skip
     width = max(len(one[0]) for one in rows)
-    lines = [chosen_plan.sentence, "", f"{'':{width}}  " + ", ".join(rows[0][1:])]
+    lines = [found.sentence, "", f"{'':{width}}  " + ", ".join(rows[0][1:])]
     lines += [f"{one[0]:{width}}  " + "  ".join(f"{cell:>9}" for cell in one[1:])
               for one in rows[1:]]  # fmt: skip
-    lines += [f"cannot be flown: {name}: {why}" for name, why in chosen_plan.refused]
+    lines += [f"cannot be flown: {name}: {why}" for name, why in found.refused]
     return "\n".join(lines)
