@@ -18,11 +18,12 @@ from springback.dynamics.energy import angular_momentum, energy
 from springback.dynamics.limbs.shell import BEARING_SLIP
 from springback.dynamics.motion import rates
 from springback.errors import InputError
-from springback.kernels.trees import axpy
+from springback.kernels.trees import axpy, names
 from springback.kernels.vectors import Mat3, Quat
 from springback.results.flight import Flight, as_scenario, fly
 from springback.simulation.flight import model_state
 from springback.simulation.measuring.record import Model
+from springback.simulation.playback import memory_columns
 from springback.vehicle.state import Shell, Sphere, State
 
 RADIUS, SHELL_MASS = 0.2, 0.15
@@ -299,6 +300,16 @@ def test_a_stored_trajectory_gives_back_energy_and_spin() -> None:
     assert speed[0] == 0.0
     assert speed[-1] > 1.0
     assert math.isfinite(flight.measures["loss_friction"] or math.nan)
+
+
+@pytest.mark.parametrize("law", SURFACES)
+def test_columns_of_a_memory_are_its_leaves_in_their_order(law: str) -> None:
+    """Playback puts them together again, also where a surface remembers, too."""
+    given = tables(gimbal(), law)
+    given["vehicle"]["limits"] = {"guard_force": 100.0, "broken_stiffness": 0.5}
+    memory = model_state(as_scenario(given).flight_model()).memory
+    sources = [source for source, _ in memory_columns(memory).values()]
+    assert sources == names(memory, "state.memory")
 
 
 # -- wrong input -----------------------------------------------------------------------------------

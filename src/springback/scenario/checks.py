@@ -415,6 +415,9 @@ def check_second(first: ScenarioTables, second: ScenarioTables) -> None:
             _check_in_series(first, hull, f"{path}vehicle.hulls[{k}].surface")
         if isinstance(one.thrust, ThrustSettings):
             raise problem("must be constant beside another vehicle, not a table", f"{path}thrust")
+        if one.vehicle.limits is not None and one.vehicle.limits.broken_stiffness is not None:
+            what = "cannot be combined with a second vehicle: guards keep all of it there"
+            raise problem(what, f"{path}vehicle.limits.broken_stiffness")
     ours = [hull.surface is not None and hull.surface.is_alone for hull in first.vehicle.hulls]
     for k, hull in enumerate(second.vehicle.hulls):
         if any(ours) and hull.surface is not None and hull.surface.is_alone:
