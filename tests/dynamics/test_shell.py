@@ -21,8 +21,11 @@ from springback.errors import InputError
 from springback.kernels.trees import axpy, names
 from springback.kernels.vectors import Mat3, Quat
 from springback.results.flight import Flight, as_scenario, fly
+from springback.results.pair.flying import in_a_scene, law_between
 from springback.simulation.flight import model_state
 from springback.simulation.measuring.record import Model
+from springback.simulation.pair.flying import PairedFlight, beside_each_other
+from springback.simulation.pair.solids import solids_of
 from springback.simulation.playback import memory_columns
 from springback.vehicle.state import Shell, Sphere, State
 
@@ -240,6 +243,54 @@ def test_dry_bearings_bring_a_spin_to_rest_in_the_time_of_its_torque() -> None:
     assert np.linalg.norm(end(slowed, "wx", "wy", "wz")) > 0.0
 
 
+def spun(given: dict[str, Any], spin: list[float], **start: Any) -> Flight:
+    """In free flight, far from everything, from rest but for the spin."""
+    given["world"] = {"gravity": 0, "obstacles": [{"type": "wall", "distance": 50.0}]}
+    given["world"]["obstacles"][0]["surface"] = "wall"
+    given["start"] = {"position": [0, 0, 1], "shell_spin": spin, **start}
+    return fly(given | {"simulation": {"duration": 0.02}}, executor="python")
+
+
+def test_a_shell_that_spins_at_the_start_is_slowed_by_its_bearings() -> None:
+    """About one axis: Ω − ω falls as exp(−b (1/I_s + 1/I_z) t), and I_s Ω + I_z ω stays."""
+    b, first, moment = 0.2, 30.0, 0.028
+    flight = spun(tables(gimbal(damping=b)), [0.0, 0.0, first])
+    spin, turning = end(flight, "shell_wz", "wz")
+    assert flight.columns["shell_wz"][0] == first
+    assert INERTIA * spin + moment * turning == pytest.approx(INERTIA * first, rel=1e-9)
+    left = first * math.exp(-b * (1.0 / INERTIA + 1.0 / moment) * flight.t[-1])
+    assert left < 0.5 * first
+    assert spin - turning == pytest.approx(left, rel=1e-6)
+    assert abs(flight.measures["ledger_residual"] or 0.0) < 1e-6
+
+
+def test_a_spin_is_given_in_body_axes_and_stays_in_ideal_bearings() -> None:
+    flight = spun(tables(gimbal()), [5.0, 0.0, 2.0], yaw="90 deg")
+    for at in (0, -1):
+        spin = [flight.columns[f"shell_w{axis}"][at] for axis in "xyz"]
+        assert spin == pytest.approx([0.0, 5.0, 2.0], abs=1e-12)
+    assert np.abs(end(flight, "wx", "wy", "wz")).max() == 0.0
+
+
+def test_beside_a_second_vehicle_both_keep_their_spin() -> None:
+    """Each side begins with its own, whatever else its contacts remember."""
+    given = tables(gimbal(), world={"gravity": 0, "obstacles": []})
+    given["start"] = {"position": [0, 0, 1], "shell_spin": [1.0, 2.0, 3.0]}
+    given["second"] = {
+        "vehicle": given["vehicle"], "start": {"position": [1, 0, 1], "shell_spin": [0, 0, 4.0]},
+    }  # fmt: skip
+    scenario = as_scenario(given)
+    sides = [
+        PairedFlight(in_a_scene(one, one.vehicle, one.flight_model()), one.start_state(), None, None,
+                     solids_of(one.vehicle))
+        for one in (scenario, scenario.beside())
+    ]  # fmt: skip
+    for side, spin in zip(
+        beside_each_other(*sides, law_between(scenario)), ([1, 2, 3], [0, 0, 4]), strict=True
+    ):
+        assert list(side.start.memory.hull[0].spin[0]) == spin
+
+
 @pytest.mark.parametrize("law", SURFACES)
 @pytest.mark.parametrize("obstacle", OBSTACLES)
 def test_every_law_and_obstacle_flies(law: str, obstacle: str) -> None:
@@ -333,6 +384,13 @@ def test_wrong_gimbals_are_refused(change: dict[str, Any], message: str) -> None
     with pytest.raises(InputError) as caught:
         as_scenario(tables(**{"gimbal": gimbal(), **change}))
     assert any(message in line for line in caught.value.problems), caught.value.problems
+
+
+def test_what_does_not_turn_by_itself_has_no_spin() -> None:
+    given = tables(None)
+    given["start"] |= {"shell_spin": [0, 0, 1.0]}
+    with pytest.raises(InputError, match=r"start\.shell_spin: needs a hull that turns by itself"):
+        as_scenario(given)
 
 
 def test_what_a_shell_cannot_be_combined_with_is_said() -> None:

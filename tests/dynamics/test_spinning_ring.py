@@ -312,3 +312,27 @@ def test_what_a_turning_ring_cannot_be_combined_with_is_said() -> None:
         with pytest.raises(InputError) as caught:
             as_scenario(given)
         assert any(message in line for line in caught.value.problems), caught.value.problems
+
+
+def test_a_ring_that_spins_at_the_start_resists_being_tilted() -> None:
+    """In ideal bearings it keeps its spin about its axis, and gives the body its gyroscopic moment.
+
+    With the ring at s about z and the body turning about x: I_y ω̇_y = I_s s ω_x at first.
+    """
+    spin, turn, inertia = 200.0, 0.1, [0.017, 0.018, 0.028]
+    given = tables(bearing(), world={"gravity": 0, "obstacles": []})
+    given["start"] = {"position": [0, 0, 1], "shell_spin": [0, 0, spin],
+                      "angular_velocity": [turn, 0, 0]}  # fmt: skip
+    flight = fly(given | {"simulation": {"duration": 0.004}}, executor="python")
+    along = np.linalg.norm([flight.columns[f"shell_w{axis}"] for axis in "xyz"], axis=0)
+    assert np.abs(along - spin).max() < 1e-6
+    nutation = INERTIA * spin / np.sqrt(inertia[0] * inertia[1])  # rad/s, of a fast symmetric top
+    expected = turn * np.sqrt(inertia[0] / inertia[1]) * np.sin(nutation * flight.t[-1])
+    assert end(flight, "wy")[0] == pytest.approx(expected, rel=2e-2)
+
+
+def test_a_spin_across_the_axis_is_refused() -> None:
+    given = tables(bearing())
+    given["start"] |= {"shell_spin": [0, 1.0, 1.0]}
+    with pytest.raises(InputError, match=r"start\.shell_spin: must be along the ring's axis"):
+        as_scenario(given)

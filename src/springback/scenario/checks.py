@@ -32,6 +32,7 @@ from springback.kernels.vectors import Vec, norm
 from springback.scenario.avionics import devices_of
 from springback.scenario.model import (
     RING_ROUNDING,
+    check_shell_spin,
     settle_step,
     thrusts_of,
     true_body,
@@ -76,6 +77,7 @@ def check_tables(scenario: ScenarioTables, build: Build = plain_build) -> None:
     check_meshes(s.world.obstacles)
     thrust = build(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
     check_slider(s)
+    check_shell_spin(s.start, s.vehicle)
     body = build(true_body, s.vehicle, s.model_error, s.payload, build)
     build(check_steps, s.simulation, s.vehicle)
     rows = s.thrust.values if isinstance(s.thrust, ThrustSettings) else (thrust,)

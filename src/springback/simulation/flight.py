@@ -175,6 +175,12 @@ def memory_at_start(model: Model) -> VehicleMemory | tuple[()]:
     )
 
 
+def with_spin(memory: Any, spin: Vec) -> Any:
+    """Memory of a vehicle whose shell turns by itself, with an angular velocity, world [rad/s]."""
+    hull = tuple(one._replace(spin=(spin,)) for one in memory.hull)
+    return memory._replace(hull=hull)
+
+
 def flight_buffers(
     shape: Shape, models: Sequence[Model], states: Sequence[State], width: int
 ) -> Buffer:
