@@ -133,8 +133,8 @@ def beside_each_other(
         )
         for spin in (spin for part in spins for spin in part.spin):
             memory = with_spin(memory, spin)
-        bodies = parts_of(other.model.airframe, other.start)
-        start = one.start._replace(bodies=bodies, memory=memory)
+        parts = parts_of(other.model.airframe, other.start)
+        start = one.start._replace(bodies=parts, memory=memory)
         avionics = one.avionics
         if avionics is not None:
             onboard = avionics.onboard._replace(before=start)
