@@ -11,15 +11,14 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from builders.shells import SURFACES, in_a_wall, obstacles_around
 from oracles.models import random_inertia, unit_vector, vec
 from springback.batch.scenarios import fly_scenarios
-from springback.contact.obstacles import Plane
 from springback.dynamics.energy import angular_momentum, energy
 from springback.dynamics.limbs.shell import BEARING_SLIP
 from springback.dynamics.motion import rates
 from springback.errors import InputError
 from springback.kernels.trees import axpy, names
-from springback.kernels.vectors import Mat3, Quat
 from springback.results.flight import Flight, as_scenario, fly
 from springback.results.pair.flying import in_a_scene, law_between
 from springback.simulation.flight import model_state
@@ -32,20 +31,7 @@ from springback.vehicle.state import Shell, Sphere, State
 RADIUS, SHELL_MASS = 0.2, 0.15
 INERTIA = 2.0 / 3.0 * SHELL_MASS * RADIUS**2
 STATES = 20
-SURFACES: dict[str, dict[str, Any]] = {
-    "hunt-crossley": {"preset": "wall", "friction": 0.5},
-    "kelvin-voigt": {"law": "kelvin-voigt", "stiffness": 2e4, "viscosity": 20.0, "friction": 0.5},
-    "constant-restitution": {"law": "constant-restitution", "restitution": 0.4, "friction": 0.5},
-    "bristle": {"preset": "wall", "friction": 0.5, "friction_law": "bristle"},
-}
-OBSTACLES: dict[str, dict[str, Any]] = {
-    "wall": {"type": "wall", "distance": 1.0},
-    "pole": {"type": "pole", "position": [1.1, 0.6, 1.0], "radius": 0.1},
-    "ball": {
-        "type": "sphere", "position": [1.1, 0.6, 1.25], "radius": 0.1,
-        "motion": {"type": "free", "mass": 0.5},
-    },
-}  # fmt: skip
+OBSTACLES = obstacles_around(1.25)
 
 
 def tables(
@@ -89,38 +75,19 @@ def drawn(seed: int, friction: float = 0.0) -> tuple[Model, State, Any]:
     rng = np.random.default_rng([41, seed])
     centre = rng.uniform(-0.05, 0.05, size=3)
     damping = rng.uniform(0.0, 5e-3)
-    given = tables()
-    given["vehicle"] |= {"hulls": [], "arms": {"cages": True}}  # without hulls there is no scene
-    model = as_scenario(given).build().model
     at = vec(centre)
     shell = Shell(Sphere(at, RADIUS), at, RADIUS, INERTIA, damping, friction)
     alone = 2.0 * random_inertia(rng) + 0.01 * np.eye(3)
-    mass = model.airframe.mass - SHELL_MASS
+    mass = as_scenario(tables()).vehicle.mass - SHELL_MASS
     craft = oracle.ShellCraft(mass, alone, SHELL_MASS, INERTIA, centre, damping, 9.81)
-    inertia = Mat3(*(vec(row) for row in craft.together))
-    # Arms without mass, their cages within the shell: the main body is everything.
-    arms = tuple(arm._replace(mass=0.0, cage_radius=0.01) for arm in model.airframe.arms)
-    airframe = model.airframe._replace(inertia=inertia, arms=arms, hull=(shell,))
     attitude = Rotation.random(random_state=rng).as_quat(scalar_first=True)
     pose = oracle.ShellPose(
         attitude, rng.uniform(-3, 3, size=3), rng.uniform(-10, 10, size=3),
         rng.uniform(-20, 20, size=3),
     )  # fmt: skip
     into = unit_vector(rng)
-    reach = into @ (pose.rotation @ centre) + RADIUS - rng.uniform(1e-3, 5e-3)
-    [wall] = model.world.obstacles
-    assert isinstance(wall.shape, Plane)
-    plane = wall.shape._replace(normal=vec(-into), offset=-reach)
-    world = model.world._replace(obstacles=(wall._replace(shape=plane),))
-    world = world._replace(gravity=craft.gravity)
-    model = model._replace(airframe=airframe, world=world, thrust=(0.0,) * len(arms))
-    still = model_state(model)
-    spin = still.memory._replace(hull=(still.memory.hull[0]._replace(spin=(vec(pose.spin),)),))
-    state = still._replace(
-        attitude=Quat(*map(float, attitude)), velocity=vec(pose.velocity),
-        angular_velocity=vec(pose.omega), memory=spin,
-        arm_length=tuple(arm.length for arm in arms),
-    )  # fmt: skip
+    depth = rng.uniform(1e-3, 5e-3)
+    model, state = in_a_wall(tables(), shell, craft, pose, pose.spin, into, depth)
     return model, state, (craft, pose, into)
 
 
