@@ -10,6 +10,7 @@ import pytest
 from click.testing import CliRunner
 
 from builders.cases import nonempty
+from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import Plan, plan_from
 from springback.campaign.running import run_campaign
 from springback.errors import InputError
@@ -49,6 +50,23 @@ def test_stored_and_read_again_it_is_the_same() -> None:
     again = Plan.model_validate_json(first.canonical())
     assert again == first
     assert again.digest() == first.digest()
+
+
+@pytest.mark.parametrize("speed", [{}, {"restitution_speed": "2 m/s"}], ids=["without", "with"])
+def test_beside_a_preset_a_drawn_restitution_needs_its_speed(speed: dict[str, str]) -> None:
+    """That of the preset is of its own restitution; the line says what is missing, and where."""
+    wall = {"type": "wall", "distance": 1.0, "surface": {"preset": "wall", **speed}}
+    given = plan({"field": "surface", "material": "drywall"})
+    given["scenario"] = SCENARIO | {"world": {"obstacles": [wall]}}
+    if not speed:
+        with pytest.raises(
+            InputError, match=r"obstacles\[0\]\.surface\.restitution_speed: is miss"
+        ):
+            lay_out(plan_from(given))
+        return
+    (drawn,) = lay_out(plan_from(given)).slice(0, 1).tables[0]["world"]["obstacles"]
+    assert drawn["surface"]["restitution_speed"] == "2 m/s"
+    assert 0.3 <= drawn["surface"]["restitution"] <= 0.5
 
 
 def test_flights_are_within_the_ranges_and_the_summary_says_so(tmp_path: Path) -> None:

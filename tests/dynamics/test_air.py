@@ -20,10 +20,10 @@ from springback.kernels.trees import leaves
 from springback.kernels.vectors import Vec, rotation
 from springback.results.flight import as_scenario
 from springback.scenario.scenario import scenario_from
-from springback.simulation.executor import settled_motion
 from springback.simulation.flight import FlightRecord, fly_one, still_work
 from springback.simulation.measuring.measures import measures_of
 from springback.simulation.measuring.record import FINISHED
+from springback.simulation.request import settled_motion
 
 ZERO = Vec(0.0, 0.0, 0.0)
 #: Of the order of a half-kilogram quadrotor's; all parts at work and none alike.

@@ -11,37 +11,27 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from builders.shells import SURFACES, in_a_wall, obstacles_around
 from oracles.models import random_inertia, unit_vector, vec
 from springback.batch.scenarios import fly_scenarios
-from springback.contact.obstacles import Plane
 from springback.dynamics.energy import angular_momentum, energy
 from springback.dynamics.limbs.shell import BEARING_SLIP
 from springback.dynamics.motion import rates
 from springback.errors import InputError
-from springback.kernels.trees import axpy
-from springback.kernels.vectors import Mat3, Quat
+from springback.kernels.trees import axpy, names
 from springback.results.flight import Flight, as_scenario, fly
+from springback.results.pair.flying import in_a_scene, law_between
 from springback.simulation.flight import model_state
 from springback.simulation.measuring.record import Model
+from springback.simulation.pair.flying import PairedFlight, beside_each_other
+from springback.simulation.pair.solids import solids_of
+from springback.simulation.playback import memory_columns
 from springback.vehicle.state import Shell, Sphere, State
 
 RADIUS, SHELL_MASS = 0.2, 0.15
 INERTIA = 2.0 / 3.0 * SHELL_MASS * RADIUS**2
 STATES = 20
-SURFACES: dict[str, dict[str, Any]] = {
-    "hunt-crossley": {"preset": "wall", "friction": 0.5},
-    "kelvin-voigt": {"law": "kelvin-voigt", "stiffness": 2e4, "viscosity": 20.0, "friction": 0.5},
-    "constant-restitution": {"law": "constant-restitution", "restitution": 0.4, "friction": 0.5},
-    "bristle": {"preset": "wall", "friction": 0.5, "friction_law": "bristle"},
-}
-OBSTACLES: dict[str, dict[str, Any]] = {
-    "wall": {"type": "wall", "distance": 1.0},
-    "pole": {"type": "pole", "position": [1.1, 0.6, 1.0], "radius": 0.1},
-    "ball": {
-        "type": "sphere", "position": [1.1, 0.6, 1.25], "radius": 0.1,
-        "motion": {"type": "free", "mass": 0.5},
-    },
-}  # fmt: skip
+OBSTACLES = obstacles_around(1.25)
 
 
 def tables(
@@ -85,38 +75,19 @@ def drawn(seed: int, friction: float = 0.0) -> tuple[Model, State, Any]:
     rng = np.random.default_rng([41, seed])
     centre = rng.uniform(-0.05, 0.05, size=3)
     damping = rng.uniform(0.0, 5e-3)
-    given = tables()
-    given["vehicle"] |= {"hulls": [], "arms": {"cages": True}}  # without hulls there is no scene
-    model = as_scenario(given).build().model
     at = vec(centre)
     shell = Shell(Sphere(at, RADIUS), at, RADIUS, INERTIA, damping, friction)
     alone = 2.0 * random_inertia(rng) + 0.01 * np.eye(3)
-    mass = model.airframe.mass - SHELL_MASS
+    mass = as_scenario(tables()).vehicle.mass - SHELL_MASS
     craft = oracle.ShellCraft(mass, alone, SHELL_MASS, INERTIA, centre, damping, 9.81)
-    inertia = Mat3(*(vec(row) for row in craft.together))
-    # Arms without mass, their cages within the shell: the main body is everything.
-    arms = tuple(arm._replace(mass=0.0, cage_radius=0.01) for arm in model.airframe.arms)
-    airframe = model.airframe._replace(inertia=inertia, arms=arms, hull=(shell,))
     attitude = Rotation.random(random_state=rng).as_quat(scalar_first=True)
     pose = oracle.ShellPose(
         attitude, rng.uniform(-3, 3, size=3), rng.uniform(-10, 10, size=3),
         rng.uniform(-20, 20, size=3),
     )  # fmt: skip
     into = unit_vector(rng)
-    reach = into @ (pose.rotation @ centre) + RADIUS - rng.uniform(1e-3, 5e-3)
-    [wall] = model.world.obstacles
-    assert isinstance(wall.shape, Plane)
-    plane = wall.shape._replace(normal=vec(-into), offset=-reach)
-    world = model.world._replace(obstacles=(wall._replace(shape=plane),))
-    world = world._replace(gravity=craft.gravity)
-    model = model._replace(airframe=airframe, world=world, thrust=(0.0,) * len(arms))
-    still = model_state(model)
-    spin = still.memory._replace(hull=(still.memory.hull[0]._replace(spin=(vec(pose.spin),)),))
-    state = still._replace(
-        attitude=Quat(*map(float, attitude)), velocity=vec(pose.velocity),
-        angular_velocity=vec(pose.omega), memory=spin,
-        arm_length=tuple(arm.length for arm in arms),
-    )  # fmt: skip
+    depth = rng.uniform(1e-3, 5e-3)
+    model, state = in_a_wall(tables(), shell, craft, pose, pose.spin, into, depth)
     return model, state, (craft, pose, into)
 
 
@@ -239,6 +210,54 @@ def test_dry_bearings_bring_a_spin_to_rest_in_the_time_of_its_torque() -> None:
     assert np.linalg.norm(end(slowed, "wx", "wy", "wz")) > 0.0
 
 
+def spun(given: dict[str, Any], spin: list[float], **start: Any) -> Flight:
+    """In free flight, far from everything, from rest but for the spin."""
+    given["world"] = {"gravity": 0, "obstacles": [{"type": "wall", "distance": 50.0}]}
+    given["world"]["obstacles"][0]["surface"] = "wall"
+    given["start"] = {"position": [0, 0, 1], "shell_spin": spin, **start}
+    return fly(given | {"simulation": {"duration": 0.02}}, executor="python")
+
+
+def test_a_shell_that_spins_at_the_start_is_slowed_by_its_bearings() -> None:
+    """About one axis: Ω − ω falls as exp(−b (1/I_s + 1/I_z) t), and I_s Ω + I_z ω stays."""
+    b, first, moment = 0.2, 30.0, 0.028
+    flight = spun(tables(gimbal(damping=b)), [0.0, 0.0, first])
+    spin, turning = end(flight, "shell_wz", "wz")
+    assert flight.columns["shell_wz"][0] == first
+    assert INERTIA * spin + moment * turning == pytest.approx(INERTIA * first, rel=1e-9)
+    left = first * math.exp(-b * (1.0 / INERTIA + 1.0 / moment) * flight.t[-1])
+    assert left < 0.5 * first
+    assert spin - turning == pytest.approx(left, rel=1e-6)
+    assert abs(flight.measures["ledger_residual"] or 0.0) < 1e-6
+
+
+def test_a_spin_is_given_in_body_axes_and_stays_in_ideal_bearings() -> None:
+    flight = spun(tables(gimbal()), [5.0, 0.0, 2.0], yaw="90 deg")
+    for at in (0, -1):
+        spin = [flight.columns[f"shell_w{axis}"][at] for axis in "xyz"]
+        assert spin == pytest.approx([0.0, 5.0, 2.0], abs=1e-12)
+    assert np.abs(end(flight, "wx", "wy", "wz")).max() == 0.0
+
+
+def test_beside_a_second_vehicle_both_keep_their_spin() -> None:
+    """Each side begins with its own, whatever else its contacts remember."""
+    given = tables(gimbal(), world={"gravity": 0, "obstacles": []})
+    given["start"] = {"position": [0, 0, 1], "shell_spin": [1.0, 2.0, 3.0]}
+    given["second"] = {
+        "vehicle": given["vehicle"], "start": {"position": [1, 0, 1], "shell_spin": [0, 0, 4.0]},
+    }  # fmt: skip
+    scenario = as_scenario(given)
+    sides = [
+        PairedFlight(in_a_scene(one, one.vehicle, one.flight_model()), one.start_state(), None, None,
+                     solids_of(one.vehicle))
+        for one in (scenario, scenario.beside())
+    ]  # fmt: skip
+    for side, spin in zip(
+        beside_each_other(*sides, law_between(scenario)), ([1, 2, 3], [0, 0, 4]), strict=True
+    ):
+        assert list(side.start.memory.hull[0].spin[0]) == spin
+
+
 @pytest.mark.parametrize("law", SURFACES)
 @pytest.mark.parametrize("obstacle", OBSTACLES)
 def test_every_law_and_obstacle_flies(law: str, obstacle: str) -> None:
@@ -301,6 +320,16 @@ def test_a_stored_trajectory_gives_back_energy_and_spin() -> None:
     assert math.isfinite(flight.measures["loss_friction"] or math.nan)
 
 
+@pytest.mark.parametrize("law", SURFACES)
+def test_columns_of_a_memory_are_its_leaves_in_their_order(law: str) -> None:
+    """Playback puts them together again, also where a surface remembers, too."""
+    given = tables(gimbal(), law)
+    given["vehicle"]["limits"] = {"guard_force": 100.0, "broken_stiffness": 0.5}
+    memory = model_state(as_scenario(given).flight_model()).memory
+    sources = [source for source, _ in memory_columns(memory).values()]
+    assert sources == names(memory, "state.memory")
+
+
 # -- wrong input -----------------------------------------------------------------------------------
 
 
@@ -322,6 +351,13 @@ def test_wrong_gimbals_are_refused(change: dict[str, Any], message: str) -> None
     with pytest.raises(InputError) as caught:
         as_scenario(tables(**{"gimbal": gimbal(), **change}))
     assert any(message in line for line in caught.value.problems), caught.value.problems
+
+
+def test_what_does_not_turn_by_itself_has_no_spin() -> None:
+    given = tables(None)
+    given["start"] |= {"shell_spin": [0, 0, 1.0]}
+    with pytest.raises(InputError, match=r"start\.shell_spin: needs a hull that turns by itself"):
+        as_scenario(given)
 
 
 def test_what_a_shell_cannot_be_combined_with_is_said() -> None:

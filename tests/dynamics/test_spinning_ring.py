@@ -10,36 +10,21 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from builders.shells import SURFACES, in_a_wall, obstacles_around
 from oracles.models import random_inertia, unit_vector, vec
 from springback.batch.scenarios import fly_scenarios
-from springback.contact.obstacles import Plane
 from springback.dynamics.energy import angular_momentum, energy
 from springback.dynamics.motion import rates
 from springback.errors import InputError
 from springback.kernels.trees import axpy
-from springback.kernels.vectors import Mat3, Quat
 from springback.results.flight import Flight, as_scenario, fly
-from springback.simulation.flight import model_state
 from springback.simulation.measuring.record import Model
-from springback.vehicle.state import Shell, Sphere, State, build_airframe
+from springback.vehicle.state import Shell, Sphere, State
 
 RADIUS, RING_MASS = 0.2, 0.08
 INERTIA = RING_MASS * RADIUS**2
 STATES = 20
-SURFACES: dict[str, dict[str, Any]] = {
-    "hunt-crossley": {"preset": "wall", "friction": 0.5},
-    "kelvin-voigt": {"law": "kelvin-voigt", "stiffness": 2e4, "viscosity": 20.0, "friction": 0.5},
-    "constant-restitution": {"law": "constant-restitution", "restitution": 0.4, "friction": 0.5},
-    "bristle": {"preset": "wall", "friction": 0.5, "friction_law": "bristle"},
-}
-OBSTACLES: dict[str, dict[str, Any]] = {
-    "wall": {"type": "wall", "distance": 1.0},
-    "pole": {"type": "pole", "position": [1.1, 0.6, 1.0], "radius": 0.1},
-    "ball": {
-        "type": "sphere", "position": [1.1, 0.6, 1.0], "radius": 0.1,
-        "motion": {"type": "free", "mass": 0.5},
-    },
-}  # fmt: skip
+OBSTACLES = obstacles_around(1.0)
 
 
 def tables(
@@ -83,38 +68,20 @@ def drawn(seed: int, friction: float = 0.0) -> tuple[Model, State, Any]:
     rng = np.random.default_rng([43, seed])
     centre, axis = rng.uniform(-0.05, 0.05, size=3), unit_vector(rng)
     damping = rng.uniform(0.0, 5e-3)
-    given = tables()
-    given["vehicle"] |= {"hulls": [], "arms": {"cages": True}}  # without hulls there is no scene
-    model = as_scenario(given).build().model
     at = vec(centre)
     shell = Shell(Sphere(at, RADIUS), at, RADIUS, INERTIA, damping, friction, (vec(axis),))
     alone = 2.0 * random_inertia(rng) + 0.01 * np.eye(3)
-    mass = model.airframe.mass - RING_MASS
+    mass = as_scenario(tables()).vehicle.mass - RING_MASS
     craft = oracle.RingCraft(mass, alone, RING_MASS, RADIUS, centre, axis, damping)
-    inertia = Mat3(*(vec(row) for row in craft.together))
-    # Arms without mass, their cages within the ring: the main body is everything.
-    arms = tuple(arm._replace(mass=0.0, cage_radius=0.01) for arm in model.airframe.arms)
-    airframe = build_airframe(model.airframe.mass, inertia, arms, (shell,))
     attitude = Rotation.random(random_state=rng).as_quat(scalar_first=True)
     pose = oracle.RingPose(
         attitude, rng.uniform(-3, 3, size=3), rng.uniform(-10, 10, size=3), rng.uniform(-40, 40)
     )
     into = unit_vector(rng)
-    reach = into @ (pose.rotation @ centre) + RADIUS - rng.uniform(1e-3, 5e-3)
-    [wall] = model.world.obstacles
-    assert isinstance(wall.shape, Plane)
-    plane = wall.shape._replace(normal=vec(-into), offset=-reach)
-    world = model.world._replace(obstacles=(wall._replace(shape=plane),))
-    world = world._replace(gravity=craft.gravity)
-    model = model._replace(airframe=airframe, world=world, thrust=(0.0,) * len(arms))
-    still = model_state(model)
-    turned = vec(pose.spin * (pose.rotation @ axis))
-    spin = still.memory._replace(hull=(still.memory.hull[0]._replace(spin=(turned,)),))
-    state = still._replace(
-        attitude=Quat(*map(float, attitude)), velocity=vec(pose.velocity),
-        angular_velocity=vec(pose.omega), memory=spin,
-        arm_length=tuple(arm.length for arm in arms),
-    )  # fmt: skip
+    depth = rng.uniform(1e-3, 5e-3)
+    model, state = in_a_wall(
+        tables(), shell, craft, pose, pose.spin * (pose.rotation @ axis), into, depth
+    )
     return model, state, (craft, pose, into)
 
 
@@ -312,3 +279,27 @@ def test_what_a_turning_ring_cannot_be_combined_with_is_said() -> None:
         with pytest.raises(InputError) as caught:
             as_scenario(given)
         assert any(message in line for line in caught.value.problems), caught.value.problems
+
+
+def test_a_ring_that_spins_at_the_start_resists_being_tilted() -> None:
+    """In ideal bearings it keeps its spin about its axis, and gives the body its gyroscopic moment.
+
+    With the ring at s about z and the body turning about x: I_y ω̇_y = I_s s ω_x at first.
+    """
+    spin, turn, inertia = 200.0, 0.1, [0.017, 0.018, 0.028]
+    given = tables(bearing(), world={"gravity": 0, "obstacles": []})
+    given["start"] = {"position": [0, 0, 1], "shell_spin": [0, 0, spin],
+                      "angular_velocity": [turn, 0, 0]}  # fmt: skip
+    flight = fly(given | {"simulation": {"duration": 0.004}}, executor="python")
+    along = np.linalg.norm([flight.columns[f"shell_w{axis}"] for axis in "xyz"], axis=0)
+    assert np.abs(along - spin).max() < 1e-6
+    nutation = INERTIA * spin / np.sqrt(inertia[0] * inertia[1])  # rad/s, of a fast symmetric top
+    expected = turn * np.sqrt(inertia[0] / inertia[1]) * np.sin(nutation * flight.t[-1])
+    assert end(flight, "wy")[0] == pytest.approx(expected, rel=2e-2)
+
+
+def test_a_spin_across_the_axis_is_refused() -> None:
+    given = tables(bearing())
+    given["start"] |= {"shell_spin": [0, 1.0, 1.0]}
+    with pytest.raises(InputError, match=r"start\.shell_spin: must be along the ring's axis"):
+        as_scenario(given)

@@ -35,6 +35,13 @@ RINGED = {
     "hulls": [{"type": "ring", "radius": 0.2, "position": [0.01, 0, 0.02],
                "axis": [0.15, -0.1, 1], "bearing": {"ring_mass": 0.08, **BEARING}}],
 }  # fmt: skip
+#: Canted at the ends of two arms, and a lift and a pusher on the main body.
+LISTED = [
+    {"on": 1, "position": [0.01, 0.0, 0.02], "axis": [0.2, 0.1, 1.0]},
+    {"on": 3, "axis": [-0.1, 0.2, 1.0]},
+    {"on": "body", "position": [0.0, 0.05, -0.01]},
+    {"on": "body", "position": [0.02, 0.01, -0.03], "axis": [0.6, 0.3, -0.2], "torque_ratio": 0.02},
+]
 LOSSES = ("loss_arm", "loss_contact", "loss_friction", "loss_stop", "loss_settling")
 
 
@@ -115,6 +122,43 @@ def test_slides_written_as_joints_meet_as_those_in_the_plane() -> None:
         for column in nonempty(("x", "y", "z", "vx", "vy", "wz", "l1", "l2", "l3", "l4")):
             last, same = one.columns[column][-1], other.columns[column][-1]
             assert last == pytest.approx(same, abs=2e-6), column
+
+
+def with_thrust(rotors: list[dict[str, Any]] | None) -> Flight:
+    """Two of the same vehicle in the plane, with these rotors, at constant and unequal thrusts."""
+    spring = {"stiffness": "5 N/mm", "damping": 20, "stroke": "40 mm"}
+    one = four_arms(**spring) | ({} if rotors is None else {"rotors": rotors})
+    given = tables(one, one, [0.6, 0.02, 0.0], 3.0)
+    given["second"]["thrust"] = [1.0, 2.0, 3.0, 0.5]
+    return fly(given | {"thrust": [3.0, 2.5, 2.0, 1.5]})
+
+
+def test_vehicles_that_list_their_rotors_meet_while_these_blow() -> None:
+    """What acts on one acts back on the other; work and losses account for the energy of both."""
+    first, second = both(with_thrust(LISTED))
+    pushes = [np.array([f.work[f"impulse.{axis}"] for axis in "xyz"]) for f in (first, second)]
+    assert np.abs(pushes[0]).max() > 0.1
+    assert np.abs(pushes[0] + pushes[1]).max() < 1e-12
+    for flight in nonempty((first, second)):
+        assert (flight.measures["arm_stroke"] or 0.0) > 1e-3
+        assert abs(flight.measures["ledger_residual"] or 0.0) < 1e-6
+    lost = sum(f.measures[name] or 0.0 for f in (first, second) for name in LOSSES)  # type: ignore[literal-required]
+    kept = sum(f.measures["energy_end"] or 0.0 for f in (first, second))
+    blown = sum(f.measures["work_thrust"] or 0.0 for f in (first, second))
+    speeds = zip((first, second), (1.5, 1.0), strict=True)
+    before = sum(0.5 * f.scenario.vehicle.mass * speed**2 for f, speed in speeds)
+    assert blown > 1.0
+    assert kept + lost == pytest.approx(before + blown, rel=1e-6)
+
+
+def test_one_rotor_on_each_arm_listed_or_not_meets_as_well() -> None:
+    plain, listed = (
+        both(with_thrust(rotors)) for rotors in (None, [{"on": j} for j in range(1, 5)])
+    )
+    for one, other in nonempty(zip(plain, listed, strict=True)):
+        for column in nonempty(("x", "y", "z", "vx", "vz", "wx", "wz", "l1", "l3")):
+            last, same = one.columns[column][-1], other.columns[column][-1]
+            assert last == pytest.approx(same, abs=1e-9), column
 
 
 @pytest.mark.parametrize("name", MEETINGS)

@@ -32,7 +32,13 @@ from springback.contact.laws.step_bounds import (
     friction_damping,
 )
 from springback.contact.obstacles import Obstacle
-from springback.contact.surfaces import Surface, friction_force, normal_force, slip_velocity
+from springback.contact.surfaces import (
+    Surface,
+    friction_force,
+    normal_force,
+    share_of_force,
+    slip_velocity,
+)
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import field_of, fold, tree_map
 from springback.kernels.vectors import Vec, larger
@@ -87,7 +93,7 @@ def cage_contact(
         arm: Pose of the arm.
         body: Motion of the main body.
     """
-    none = PartMemory((), (), ())
+    none = PartMemory((), (), (), ())
     return face_contact(face_of(obstacle, contact_point, radius, arm), 1.0, none, arm, body)
 
 
@@ -152,6 +158,7 @@ def face_load(
     pressing = Pressing(surface, end + at.normal_lever, n, depth, rate, body.ahead)
     with_memory = tree_map(hysteretic_load, (memory.pressed,), (elastic, pressing))
     pressed = fold(force_of, elastic, with_memory, ())
+    pressed = fold(share_of_force, pressed, memory.stiffness, ())
     slip = slip_velocity(surface, sliding + (omega ^ rubbing_at), n, body.vertical)
     f_n = pressed.force * steepness
     at_contact = Rubbing(surface, f_n, n, slip, omega, body.r, body.vertical)

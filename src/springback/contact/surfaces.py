@@ -188,6 +188,17 @@ def normal_force(surface: Surface, depth: float, rate: float, ahead: float) -> N
     return NormalForce(force, (force - elastic) * rate, stiffness, damper)
 
 
+@kernel
+def share_of_force(whole: NormalForce, share: float) -> NormalForce:
+    """Normal force at the same depth and rate of what has a share of its stiffness left.
+
+    Springs and dampers of all laws are proportional to the stiffness, so all of it is.
+    """
+    return NormalForce(
+        share * whole.force, share * whole.loss, share * whole.stiffness, share * whole.damper
+    )
+
+
 @generic
 def rubbing(axes: FrictionAxes, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
     """Part of a slip velocity that friction opposes [m/s].

@@ -120,7 +120,13 @@ def _contact_energy(face: ContactFace, memory: PartMemory, end: Vec) -> float:
     place = end + there.at.normal_lever
     at = Pressing(face.surface, place, there.inward, depth, 0.0, 0.0)
     elastic = elastic_energy(face.surface, depth)
-    return fold(hysteretic_energy, elastic, memory.pressed, (at,))
+    whole = fold(hysteretic_energy, elastic, memory.pressed, (at,))
+    return fold(_share_of, whole, memory.stiffness, ())
+
+
+@rare_kernel
+def _share_of(whole: float, share: float) -> float:
+    return share * whole
 
 
 @rare_kernel

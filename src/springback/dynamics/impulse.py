@@ -64,12 +64,12 @@ class ImpulseContact(NamedTuple):
 
 @rare_kernel
 def _hit_by_arm(face: ContactFace, arm: Any, body: BodyMotion) -> ImpulseContact:
-    return _hit(face_contact(face, 1.0, PartMemory((), (), ()), arm, body), body.r)
+    return _hit(face_contact(face, 1.0, PartMemory((), (), (), ()), arm, body), body.r)
 
 
 @rare_kernel
 def _hit_by_hull(face: ContactFace, hull: Any, body: BodyMotion) -> ImpulseContact:
-    return _hit(hull_contact(face, 1.0, PartMemory((), (), ()), hull, body), body.r)
+    return _hit(hull_contact(face, 1.0, PartMemory((), (), (), ()), hull, body), body.r)
 
 
 @rare_kernel

@@ -28,7 +28,7 @@ class Work(NamedTuple):
     thrust: float  # put in by the rotors [J]
     arm: float  # taken by arm dampers [J]
     stop: float  # taken by end stops [J]
-    contact: float  # taken by contact damping [J]
+    contact: float  # taken by contact damping, and by guards that lose stiffness [J]
     friction: float  # taken by friction [J]
     settling: float  # lost when settled arms are locked again [J]
     air: float  # taken by the air; negative where wind adds energy [J]

@@ -117,7 +117,7 @@ def body_touch(body: MovingBody, pose: BodyPose, still: SolidScene, flags: float
         still: The world.
         flags: Bits of the contacts that are engaged; see `springback.contact.loads.face_contact`.
     """
-    none, r, forgets = Vec(0.0, 0.0, 0.0), pose.r, PartMemory((), (), ())
+    none, r, forgets = Vec(0.0, 0.0, 0.0), pose.r, PartMemory((), (), (), ())
     touch = _no_touch(1e9)
     if (body.points == 0.0) | (body.kind != FREE):
         return touch

@@ -159,10 +159,13 @@ def _overloads(flight: FlightResult) -> list[Event]:
             felt = np.linalg.norm(specific_force_at(flight, one.position), axis=1)
             loads.append((one.name, felt, one.specific_force, "m/s²"))
     found = []
+    left = {f"guard {j}": s for one in known.broken for j, s in enumerate(one.stiffness, start=1)}
     for name, load, most, unit in loads:
         beyond = np.flatnonzero(load > most)
         if len(beyond):
             when, sentence = float(c["t"][beyond[0]]), f"{name}: more than {most:g} {unit}"
+            if name in left:
+                sentence += f", {100.0 * left[name]:.3g} % of its stiffness is left"
             found.append(Event(when, "broken", "broken", sentence, value=float(load.max())))
     return found
 

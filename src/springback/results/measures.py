@@ -129,7 +129,7 @@ class FlightMeasures:
     loss_stop: float | None
     """dissipated by end stops [J]"""
     loss_contact: float | None
-    """dissipated by contact damping [J]"""
+    """dissipated by contact damping, and when guards lose stiffness [J]"""
     loss_friction: float | None
     """dissipated by friction [J]"""
     loss_settling: float | None

@@ -32,6 +32,7 @@ from springback.kernels.vectors import Vec, norm
 from springback.scenario.avionics import devices_of
 from springback.scenario.model import (
     RING_ROUNDING,
+    check_shell_spin,
     settle_step,
     thrusts_of,
     true_body,
@@ -76,6 +77,7 @@ def check_tables(scenario: ScenarioTables, build: Build = plain_build) -> None:
     check_meshes(s.world.obstacles)
     thrust = build(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
     check_slider(s)
+    check_shell_spin(s.start, s.vehicle)
     body = build(true_body, s.vehicle, s.model_error, s.payload, build)
     build(check_steps, s.simulation, s.vehicle)
     rows = s.thrust.values if isinstance(s.thrust, ThrustSettings) else (thrust,)
@@ -415,6 +417,9 @@ def check_second(first: ScenarioTables, second: ScenarioTables) -> None:
             _check_in_series(first, hull, f"{path}vehicle.hulls[{k}].surface")
         if isinstance(one.thrust, ThrustSettings):
             raise problem("must be constant beside another vehicle, not a table", f"{path}thrust")
+        if one.vehicle.limits is not None and one.vehicle.limits.broken_stiffness is not None:
+            what = "cannot be combined with a second vehicle: guards keep all of it there"
+            raise problem(what, f"{path}vehicle.limits.broken_stiffness")
     ours = [hull.surface is not None and hull.surface.is_alone for hull in first.vehicle.hulls]
     for k, hull in enumerate(second.vehicle.hulls):
         if any(ours) and hull.surface is not None and hull.surface.is_alone:

@@ -28,7 +28,7 @@ from springback.kernels.memo import Build, plain_build
 from springback.kernels.routines import routines_compiled
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
 from springback.kernels.trees import leaves
-from springback.kernels.vectors import Mat3, Vec
+from springback.kernels.vectors import Mat3, Vec, rotation
 from springback.quantities import si_number
 from springback.scenario.tables import (
     ModelError,
@@ -43,13 +43,13 @@ from springback.scenario.tables import (
 )
 from springback.scenario.worlds.imported import single_obstacles
 from springback.settings import naming, problem
-from springback.simulation.flight import memory_at_start
+from springback.simulation.flight import memory_at_start, with_spin
 from springback.simulation.measuring.record import Model, Timing
 from springback.simulation.thrusts import ThrustTable
 from springback.vehicle.hulls import HullSettings
 from springback.vehicle.mass.bounds import check_inertia
 from springback.vehicle.parameters import Vehicle
-from springback.vehicle.state import Airframe, BodyState, State, build_airframe
+from springback.vehicle.state import Airframe, BodyState, Shell, State, build_airframe
 
 #: Tilt within which a cage that lies flat on a surface is assumed to touch at its centre [rad].
 RING_ROUNDING = 5e-3
@@ -58,6 +58,8 @@ RING_ROUNDING = 5e-3
 FARTHEST = 1e4
 #: A motion that closes in on a plane by less than this share of its way is parallel to it (chosen).
 PARALLEL = 1e-9
+#: Sine of the angle between a spin and the axis of its ring, at most (chosen: four decimals).
+ALONG = 1e-3
 #: Search for the touch of a shape: factor by which distances may be wrong
 #: (`springback.scenario.user.obstacles`), shortest step [m] and largest number of them (chosen).
 INEXACT, SHORTEST_LOOK, MOST_LOOKS = 1.05, 1e-6, 20_000
@@ -337,7 +339,10 @@ def start_state(start: Start, vehicle: Vehicle, model: Model, build: Build = pla
         The problem, if there is a touch distance and the straight motion meets no obstacle.
     """
     state: State = build(_state_at_place, start, vehicle)
-    state = state._replace(bodies=bodies_at_start(model.world), memory=memory_at_start(model))
+    memory = memory_at_start(model)
+    for hull in model.airframe.hull if vehicle.has_shell else ():
+        memory = with_spin(memory, build(_shell_spin, start, hull))
+    state = state._replace(bodies=bodies_at_start(model.world), memory=memory)
     if start.touch_distance is None:
         return state
     moved = build(way_to_touch, model, state) - start.touch_distance
@@ -348,6 +353,33 @@ def start_state(start: Start, vehicle: Vehicle, model: Model, build: Build = pla
 def bodies_at_start(world: World) -> tuple[BodyState, ...]:
     """States of the moving obstacles at time 0; mostly there are none."""
     return tuple(body.start for body in moving_bodies(world.obstacles))
+
+
+def _shell_spin(start: Start, hull: Shell) -> Vec:
+    """`Start.shell_spin` in world axes; of a ring what it has about its axis [rad/s].
+
+    Raises:
+        The problem, if a ring is to turn about another axis.
+    """
+    given = Vec(*start.shell_spin)
+    for axis in hull.axis:
+        across = given ^ axis
+        if across @ across > ALONG * ALONG * (given @ given):
+            raise problem(
+                f"must be along the ring's axis, {_text(axis)}, about which alone it turns by "
+                f"itself (got {_text(given)} rad/s)",
+                "start.shell_spin",
+            )
+    return rotation(start.attitude()) @ given
+
+
+def check_shell_spin(start: Start, vehicle: Vehicle) -> None:
+    """Reject a spin of what does not turn by itself."""
+    if not vehicle.has_shell and any(part != 0.0 for part in start.shell_spin):
+        raise problem(
+            "needs a hull that turns by itself: a sphere with a gimbal, or a ring with a bearing",
+            "start.shell_spin",
+        )
 
 
 def _state_at_place(start: Start, vehicle: Vehicle) -> State:

@@ -89,6 +89,10 @@ class Start(Settings):
     It is normalised; its length must be 1 to within 1e-4, the rounding of four decimals.
     """
     angular_velocity: Annotated[Triple, Unit("rad/s")] = (0.0, 0.0, 0.0)
+    shell_spin: Annotated[Triple, Unit("rad/s")] = (0.0, 0.0, 0.0)
+    """Angular velocity of a sphere in a gimbal, or of a ring about its axis, body axes; as
+    ``angular_velocity``, relative to the world.
+    """
     compression: Annotated[PerArm, Unit("m")] = 0.0
     """Of the arms, along the paths of their ends; one for all, or one for each."""
     touch_distance: Annotated[float, Unit("m", least=0.0)] | None = None

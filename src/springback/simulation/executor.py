@@ -14,17 +14,15 @@ from typing import Any, NamedTuple
 from springback.contact.cage import moving_bodies
 from springback.contact.hull_contact import arm_flags, hull_flags
 from springback.contact.laws.memory import arm_memory, hull_memory, memory_after
-from springback.contact.obstacles import Forces, Impulses, World
+from springback.contact.obstacles import World
 from springback.dynamics.crossing import NO_CROSSING, Crossing
-from springback.dynamics.energy import energy, locked_state
-from springback.dynamics.impulse import apply_impulses
 from springback.dynamics.limbs.arms import ArmView
 from springback.dynamics.limbs.locked import RigidRates, RigidState
 from springback.dynamics.limbs.shell import or_turns
 from springback.dynamics.motion import Engaged, HullView, Motion, Rates, View, rates, rates_while
 from springback.dynamics.obstacle_views import NO_VIEW, BodyView
 from springback.dynamics.rigid import rigid_step
-from springback.kernels.compiler import executor, generic, guard, kernel, rare_kernel
+from springback.kernels.compiler import executor, guard, kernel
 from springback.kernels.layout import Buffer, TreeLayout, read, row_of, rows, write
 from springback.kernels.trees import (
     axpy,
@@ -50,7 +48,6 @@ from springback.simulation.lanes import (
 )
 from springback.simulation.measuring.limits import cruise_record_with_loads, record_with_loads
 from springback.simulation.measuring.record import (
-    APPLY_IMPULSE,
     FLYING,
     NOT_FINITE,
     NOTHING,
@@ -58,6 +55,7 @@ from springback.simulation.measuring.record import (
     clearance_check,
     search_of,
 )
+from springback.simulation.request import motion_after_request
 from springback.simulation.thrusts import body_at, model_at, ramped_step
 from springback.vehicle.state import Airframe, Arm, BodyState, PartMemory, State, compression_of
 
@@ -68,34 +66,6 @@ DIVERGED = 1e12
 REACH = (0.0, 0.5, 0.5, 1.0)
 WEIGHT = (1.0, 2.0, 2.0, 1.0)
 SIXTH = 1.0 / 6.0
-
-
-@rare_kernel
-def settled_motion(model: Model, motion: Motion) -> Motion:
-    """Motion with the arms locked where they are; the lost energy is booked as settling."""
-    before = energy(model.airframe, model.world, model.contact_point, motion.state)
-    state = locked_state(model.airframe, motion.state)
-    after = energy(model.airframe, model.world, model.contact_point, state)
-    lost = before.kinetic + before.gravity + before.springs + before.stops
-    lost -= after.kinetic + after.gravity + after.springs + after.stops
-    return Motion(state, replace(motion.work, settling=motion.work.settling + lost))
-
-
-@generic
-def motion_after_event(
-    laws: Forces | Impulses, model: Model, motion: Motion, request: float
-) -> Motion:
-    """Motion after a rare event: settled arms are locked, impulses of surfaces applied."""
-    return settled_motion(model, motion)
-
-
-@motion_after_event.register(Impulses)
-@rare_kernel
-def _motion_after_impulses(laws: Impulses, model: Model, motion: Motion, request: float) -> Motion:
-    if request == APPLY_IMPULSE:
-        of = model
-        return apply_impulses(of.airframe, of.world, of.contact_point, of.guide, motion)
-    return settled_motion(model, motion)
 
 
 @kernel
@@ -380,7 +350,8 @@ def handle_events(shape: TreeLayout, b: Buffer, w: int) -> None:
         if b[at.request * w + i] != NOTHING and b[at.status * w + i] == FLYING:
             model = read(shape.model, b, 0, w, i)
             motion = read(shape.motion, b, at.motion, w, i)
-            motion = motion_after_event(model.world.laws, model, motion, b[at.request * w + i])
+            loads, request = read(shape.record, b, at.record, w, i).loads, b[at.request * w + i]
+            motion = motion_after_request(model.limits, loads, model, motion, request)
             write(motion, b, at.motion, w, i)
 
 

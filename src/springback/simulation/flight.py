@@ -40,7 +40,7 @@ from springback.simulation.measuring.record import (
     blank_record,
 )
 from springback.simulation.thrusts import ARRIVED, ThrustTable
-from springback.vehicle.limits import initial_loads
+from springback.vehicle.limits import LoadLimits, initial_loads
 from springback.vehicle.placed.rotors import propellers_of
 from springback.vehicle.state import (
     Bristles,
@@ -151,13 +151,14 @@ def model_state(model: Model) -> State:
 
 
 def memory_at_start(model: Model) -> VehicleMemory | tuple[()]:
-    """Memory of a vehicle that has touched nothing; `()` if no surface has any, and no shell."""
+    """Memory of a vehicle that has touched nothing; `()` where nothing is remembered."""
     obstacles, airframe = model.world.obstacles, model.airframe
     scene = obstacles.still if isinstance(obstacles, MovingScene) else obstacles
     slips = isinstance(scene, SolidScene) and scene.bristles > 0.0
     remembers = isinstance(scene, SolidScene) and scene.remembers > 0.0
     turns = any(isinstance(hull, Shell) for hull in airframe.hull)
-    if not (slips or remembers or turns):
+    breaks = isinstance(model.limits, LoadLimits) and bool(model.limits.broken)
+    if not (slips or remembers or turns or breaks):
         return ()
     none = Vec(0.0, 0.0, 0.0)
     bristles = (Bristles(none, none),) if slips else ()
@@ -165,12 +166,19 @@ def memory_at_start(model: Model) -> VehicleMemory | tuple[()]:
     def part(faces: tuple[float, ...], hull: Any = None) -> PartMemory:
         points = PressedPoints(0.0, (no_point(),) * len(faces))
         spin = (none,) if isinstance(hull, Shell) else ()
-        return PartMemory(bristles, (points,) if remembers else (), spin)
+        whole = (1.0,) if breaks and hull is None else ()
+        return PartMemory(bristles, (points,) if remembers else (), spin, whole)
 
     return VehicleMemory(
         tuple(part(arm_flags(arm, obstacles, 0.0)) for arm in airframe.arms),
         tuple(part(hull_flags(hull, obstacles, 0.0), hull) for hull in airframe.hull),
     )
+
+
+def with_spin(memory: Any, spin: Vec) -> Any:
+    """Memory of a vehicle whose shell turns by itself, with an angular velocity, world [rad/s]."""
+    hull = tuple(one._replace(spin=(spin,)) for one in memory.hull)
+    return memory._replace(hull=hull)
 
 
 def flight_buffers(

@@ -196,8 +196,6 @@ def memory_columns(memory: Any) -> dict[str, tuple[str, str]]:
         for name, kind, unit in (("stick", "slip", "m"), ("roll", "roll", "rad")):
             for axis in "xyz" if kept.bristles else "":
                 found[f"{name}{part}_{axis}"] = (f"{stem}.bristles.1.{kind}.{axis}", unit)
-        for axis in "xyz" if kept.spin else "":
-            found[f"shell_w{axis}"] = (f"{stem}.spin.1.{axis}", "rad/s")
         for pressed in kept.pressed:
             found[f"crushed{part}"] = (f"{stem}.pressed.1.crushed", "m")
             for k in range(1, len(pressed.points) + 1):
@@ -208,6 +206,10 @@ def memory_columns(memory: Any) -> dict[str, tuple[str, str]]:
                     found[f"pressed{point}_n{axis}"] = (f"{at}.inward.{axis}", "1")
                 found[f"pressed{point}_depth"] = (f"{at}.depth", "m")
                 found[f"pressed{point}_crushed"] = (f"{at}.crushed", "m")
+        for axis in "xyz" if kept.spin else "":
+            found[f"shell_w{axis}"] = (f"{stem}.spin.1.{axis}", "rad/s")
+        for _ in kept.stiffness:
+            found[f"stiffness{part}"] = (f"{stem}.stiffness.1", "1")
     return found
 
 

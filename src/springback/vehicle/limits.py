@@ -25,6 +25,12 @@ class ComponentLimit(NamedTuple):
     most: float  # [m/s²]
 
 
+class GuardStiffness(NamedTuple):
+    """What guards have left when the force on them has passed their limit."""
+
+    stiffness: tuple[float, ...]  # of each arm's guard, share of what it was
+
+
 class LoadLimits(NamedTuple):
     """What the parts of a vehicle bear; `UNLIMITED` where nothing is known."""
 
@@ -32,6 +38,7 @@ class LoadLimits(NamedTuple):
     arms: tuple[float, ...]  # force of spring, damper and stops along each arm [N]
     components: tuple[ComponentLimit, ...]
     breaks: float  # 1 if a flight fails by a load beyond a limit
+    broken: tuple[GuardStiffness, ...] = ()  # if guards that break lose stiffness
 
 
 class PeakLoad(NamedTuple):
@@ -81,6 +88,11 @@ class LimitSettings(Settings):
 
     guard_force: Annotated[PerArm, Unit("N", above=0.0)] | None = None
     """Normal force on a guard, the cage and the hulls of an arm: one number, or one for each."""
+    broken_stiffness: Annotated[PerArm, Unit("", least=0.0, most=1.0)] | None = None
+    """Share of its stiffness that a guard keeps when ``guard_force`` has been passed: its contacts
+    then press with that share of their force at the same depth and rate, whatever their law.  One
+    number, or one for each.  Without it guards go on as before.
+    """
     arm_force: Annotated[PerArm, Unit("N", above=0.0)] | None = None
     """Force of spring, damper and end stops along a compliant arm: one number, or one for each."""
     hinge_torque: Annotated[PerArm, Unit("N m", above=0.0)] | None = None
@@ -107,10 +119,12 @@ class LimitSettings(Settings):
             compliant: Of each arm, True if it can slide.
             hinged: Whether arms are on hinges.
         """
-        for name in ("guard_force", "arm_force", "hinge_torque"):
+        for name in ("guard_force", "broken_stiffness", "arm_force", "hinge_torque"):
             given = getattr(self, name)
             if isinstance(given, tuple) and len(given) != len(compliant):
                 raise problem(f"has {len(given)} entries for {len(compliant)} arms", name)
+        if self.broken_stiffness is not None and self.guard_force is None:
+            raise problem("needs guard_force, beyond which a guard breaks", "broken_stiffness")
         if self.arm_force is not None and not any(compliant):
             raise problem("needs a compliant arm: the force within a rigid one is not known",
                           "arm_force")  # fmt: skip
@@ -133,11 +147,14 @@ class LimitSettings(Settings):
             forces = [most / radius if moves else UNLIMITED for most, radius, moves in torques]
         guards = _each(self.guard_force, len(compliant))
         breaks = 1.0 if self.breaks else 0.0
-        return LoadLimits(tuple(guards), tuple(forces), tuple(found), breaks)
+        broken: tuple[GuardStiffness, ...] = ()
+        if self.broken_stiffness is not None:
+            broken = (GuardStiffness(tuple(_each(self.broken_stiffness, len(compliant)))),)
+        return LoadLimits(tuple(guards), tuple(forces), tuple(found), breaks, broken)
 
 
 def _each(limit: Any, arms: int) -> list[float]:
-    """A limit of each arm."""
+    """A limit of each arm, or another number of it."""
     if limit is None:
         return [UNLIMITED] * arms
     return list(limit) if isinstance(limit, tuple) else [limit] * arms

@@ -233,6 +233,7 @@ class PartMemory(NamedTuple):
     bristles: tuple[Bristles, ...]  # one, if a surface has any
     pressed: tuple[PressedPoints, ...]  # one, if a surface remembers the deepest depth
     spin: tuple[Vec, ...] = ()  # Ω of a shell that turns by itself, world axes [rad/s]
+    stiffness: tuple[float, ...] = ()  # share that a guard has left, if it can lose some
 
 
 class VehicleMemory(NamedTuple):

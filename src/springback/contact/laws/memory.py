@@ -83,7 +83,7 @@ def hull_memory(memory: Any, hull: tuple[Any, ...]) -> tuple[PartMemory, ...]:
 
 @kernel
 def _nothing(part: Any) -> PartMemory:
-    return PartMemory((), (), ())
+    return PartMemory((), (), (), ())
 
 
 @arm_memory.register(VehicleMemory)
@@ -143,16 +143,24 @@ def _no_spin(spin: Vec) -> Vec:
 
 
 @kernel
+def _unchanged(stiffness: float) -> float:
+    return 0.0
+
+
+@kernel
 def _still(memory: PartMemory) -> PartMemory:
     return PartMemory(
         tree_map(_no_rate, (memory.bristles,), ()), tree_map(_fixed, (memory.pressed,), ()),
-        tree_map(_no_spin, (memory.spin,), ()),
+        tree_map(_no_spin, (memory.spin,), ()), tree_map(_unchanged, (memory.stiffness,), ()),
     )  # fmt: skip
 
 
 @kernel
 def _part_rate(memory: PartMemory, bristles: tuple[PartBristles, ...]) -> PartMemory:
-    return PartMemory(field_of(bristles, "rate"), tree_map(_fixed, (memory.pressed,), ()), ())
+    return PartMemory(
+        field_of(bristles, "rate"), tree_map(_fixed, (memory.pressed,), ()), (),
+        tree_map(_unchanged, (memory.stiffness,), ()),
+    )  # fmt: skip
 
 
 @kernel
@@ -216,7 +224,7 @@ def _held(bristles: Bristles, touches: float) -> Bristles:
 @kernel
 def _part_after(memory: PartMemory, view: Any) -> PartMemory:
     bristles = tree_map(_held, (memory.bristles,), (maximum(view.engaged),))
-    return PartMemory(bristles, view.pressed, memory.spin)
+    return PartMemory(bristles, view.pressed, memory.spin, memory.stiffness)
 
 
 @memory_after.register(VehicleMemory)

@@ -9,21 +9,44 @@ from __future__ import annotations
 from typing import Any
 
 from springback.dynamics.clearance import Search
+from springback.dynamics.crossing import NO_CROSSING
 from springback.dynamics.limbs.arms import spring_damper_force
 from springback.dynamics.limbs.locked import RigidRates, RigidState
 from springback.dynamics.motion import Motion, Rates, View
 from springback.dynamics.stops import end_stop
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.trees import field_of, replace, select, tree_map
-from springback.kernels.vectors import Vec, larger, norm
+from springback.kernels.trees import (
+    field_of,
+    fold,
+    maximum,
+    minimum,
+    replace,
+    select,
+    tree_map,
+)
+from springback.kernels.vectors import Vec, larger, norm, smaller
 from springback.simulation.measuring.record import (
+    BREAK_GUARDS,
+    NOTHING,
+    SHORTEST,
     Model,
     Record,
     record_after,
     record_after_cruise,
 )
-from springback.vehicle.limits import NO_LIMIT, UNLIMITED, ComponentLimit, PeakLoad, PeakLoads
-from springback.vehicle.state import Airframe, Arm, State
+from springback.vehicle.limits import (
+    NO_LIMIT,
+    UNLIMITED,
+    ComponentLimit,
+    GuardStiffness,
+    LoadLimits,
+    PeakLoad,
+    PeakLoads,
+)
+from springback.vehicle.state import Airframe, Arm, PartMemory, State, VehicleMemory
+
+#: A step to a break is to end a little beyond the limit: at this share of it.
+BEYOND = 1.0 + 1e-9
 
 
 @kernel
@@ -148,6 +171,70 @@ def _loads_in_cruise(
     )
 
 
+@generic
+def landing_on_break(
+    limits: Any, after: Record, before: Record, memory: Any, shortest: float
+) -> Record:
+    """A record whose next step ends where a guard is loaded to its limit, and then breaks it.
+
+    Only guards that lose stiffness are looked at.
+
+    Args:
+        limits: `LoadLimits`; empty for a vehicle without limits.
+        after: Record after an instant.
+        before: The same a step earlier.
+        memory: Of the state.
+        shortest: Of all steps to a break [s].
+    """
+    return after
+
+
+@landing_on_break.register(LoadLimits)
+@kernel
+def _landing_on_limit(
+    limits: LoadLimits, after: Record, before: Record, memory: Any, shortest: float
+) -> Record:
+    return fold(_or_break, after, limits.broken, (before, memory, shortest))
+
+
+@kernel
+def _is_due(stiffness: float, share: float, load: PeakLoad) -> float:
+    return 1.0 if (load.broken_time >= 0.0) & (stiffness != share) else 0.0
+
+
+@kernel
+def _breaks(memory: PartMemory, share: float, load: PeakLoad) -> float:
+    return maximum(tree_map(_is_due, (memory.stiffness,), (share, load)))
+
+
+@kernel
+def _until_break(left: float, load: PeakLoad, before: PeakLoad, step: float) -> float:
+    """Time until a load that grows is beyond its limit, as it did within the last step [s]."""
+    grown = load.share - before.share
+    rises = (left < 1.0) & (load.broken_time == -1.0) & (grown > 0.0) & (step > 0.0)
+    return (BEYOND - load.share) * step / grown if rises else NO_CROSSING
+
+
+@kernel
+def _or_break(
+    after: Record, guards: GuardStiffness, before: Record, memory: VehicleMemory, shortest: float
+) -> Record:
+    now, contacts = after.stepping, after.contacts
+    loads, left = after.loads.guards, guards.stiffness
+    due = maximum(tree_map(_breaks, (memory.arms, left, loads), ()))
+    # A step of length zero only carries out another request: its instant is not in the trajectory.
+    asks = (due > 0.0) & (now.step > 0.0) & (now.request == NOTHING)
+    grow = (left, loads, before.loads.guards)
+    until = larger(minimum(tree_map(_until_break, grow, (before.stepping.step,))), shortest)
+    step = smaller(now.step, select(asks, shortest, until))
+    request = select(asks, BREAK_GUARDS, now.request)
+    saved = select(contacts.touching > 0.0, now.step - step, 0.0)
+    return replace(
+        after, stepping=replace(now, step=step, request=request),
+        contacts=replace(contacts, duration=contacts.duration - saved),
+    )  # fmt: skip
+
+
 @kernel
 def record_with_loads(
     model: Model, motion: Motion, known: Rates, m: Record, search: Search
@@ -166,7 +253,8 @@ def record_with_loads(
     loads = loads_after(
         m.loads, model.limits, model.airframe, state, known.seen, angular, m.stepping.time
     )
-    return replace(after, loads=loads)
+    shortest = SHORTEST * model.timing.impact_step
+    return landing_on_break(model.limits, replace(after, loads=loads), m, state.memory, shortest)
 
 
 @kernel

@@ -147,7 +147,7 @@ MEASURES = {
     "work_driven": ("J", "done by what moves obstacles as prescribed"),
     "loss_arm": ("J", "dissipated by arm dampers"),
     "loss_stop": ("J", "dissipated by end stops"),
-    "loss_contact": ("J", "dissipated by contact damping"),
+    "loss_contact": ("J", "dissipated by contact damping, and when guards lose stiffness"),
     "loss_friction": ("J", "dissipated by friction"),
     "loss_settling": ("J", "lost when settled arms are locked again"),
     "loss_air": ("J", "lost to the air; negative where wind does work"),

@@ -54,7 +54,7 @@ from springback.vehicle.state import Airframe, State, fastest_cage, fastest_poin
 
 FLYING, FINISHED, NOT_FINITE = 0.0, 1.0, 2.0
 FREE_FLIGHT, IMPACT = 0.0, 1.0
-NOTHING, LOCK_ARMS, APPLY_IMPULSE = 0.0, 1.0, 2.0
+NOTHING, LOCK_ARMS, APPLY_IMPULSE, BREAK_GUARDS = 0.0, 1.0, 2.0, 3.0
 #: Kind of the next step: a full step, near an obstacle or while arms slide; a step as one rigid
 #: body, far from everything; or undecided until the clearance is checked.
 STEERED, CRUISING, MAY_LOOK = 0.0, 1.0, 2.0
@@ -101,7 +101,7 @@ class Stepping(NamedTuple):
     step: float  # next step [s]
     status: float  # FLYING, FINISHED, NOT_FINITE
     phase: float  # FREE_FLIGHT, IMPACT
-    request: float  # NOTHING, LOCK_ARMS, APPLY_IMPULSE
+    request: float  # NOTHING, LOCK_ARMS, APPLY_IMPULSE, BREAK_GUARDS
     cruising: float  # STEERED, CRUISING, MAY_LOOK
     room: float  # lower bound of the distance of every part from every obstacle [m]
     steps: float  # number of steps taken

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.contact.laws.memory import hull_memory
 from springback.contact.moving.scene import scene_with
 from springback.contact.obstacles import Forces
 from springback.contact.scene.faces import SolidScene
@@ -27,6 +28,7 @@ from springback.simulation.flight import (
     memory_at_start,
     shape_of,
     trace_columns,
+    with_spin,
 )
 from springback.simulation.guided import (
     TICKS,
@@ -125,9 +127,14 @@ def beside_each_other(
         scene = flown_scene(scene_with(still, bodies))
         world = one.model.world._replace(obstacles=scene, laws=Forces(0.0))
         model = one.model._replace(world=world)
-        start = one.start._replace(
-            bodies=parts_of(other.model.airframe, other.start), memory=memory_at_start(model)
+        memory, spins = (
+            memory_at_start(model),
+            hull_memory(one.start.memory, one.model.airframe.hull),
         )
+        for spin in (spin for part in spins for spin in part.spin):
+            memory = with_spin(memory, spin)
+        parts = parts_of(other.model.airframe, other.start)
+        start = one.start._replace(bodies=parts, memory=memory)
         avionics = one.avionics
         if avionics is not None:
             onboard = avionics.onboard._replace(before=start)

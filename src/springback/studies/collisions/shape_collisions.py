@@ -172,7 +172,7 @@ def _contacts_at(model: Any, trace: Any, row: int) -> Iterator[tuple[int, float,
     parts += [(hull, hull.radius, ArmPose(none, hull.centre, none)) for hull in model.airframe.hull]
     for k, (part, radius, pose) in enumerate(parts):
         for face in contact_faces(around, part, radius, pose, 1.0):
-            met = face_contact(face, 1.0, PartMemory((), (), ()), pose, still)
+            met = face_contact(face, 1.0, PartMemory((), (), (), ()), pose, still)
             if met.touch.normal > 0.0:
                 at, inward = np.array(r @ met.pressing_at), np.array(r @ met.inward)
                 yield k, met.touch.normal, at, inward
