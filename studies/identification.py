@@ -88,7 +88,7 @@ def tables(row: Row) -> dict[str, Any]:
 def plan_of(row: Row) -> FitPlan:
     """Plan of a row: two fields of Quad, four of ARQ, each to a factor of 4."""
     free = {STIFFNESS: "factor 4", LOSS: "factor 4"}
-    exact = {"vehicle.body.mass": "exact"}
+    exact = {"vehicle.body.mass": "exact", "vehicle.arms.directions": "exact"}
     if row.vehicle == "arq":
         free |= {"vehicle.arms.stiffness": "factor 4", "vehicle.arms.damping": "factor 4"}
         exact["vehicle.arms.mass"] = "exact"

@@ -22,7 +22,10 @@ SPRING, DAMPER = "vehicle.arms.stiffness", "vehicle.arms.damping"
 #: What the rigs have.
 TRUE = {STIFFNESS: 2e5, LOSS: 0.432, SPRING: 5000.0, DAMPER: 90.0}
 #: Exact, by hand, so that few numbers are fitted.
-EXACT = {"vehicle.body.mass": "exact", "vehicle.arms.mass": "exact"}
+EXACT = {
+    "vehicle.body.mass": "exact", "vehicle.arms.mass": "exact",
+    "vehicle.arms.directions": "exact",
+}  # fmt: skip
 
 
 def rig(vehicle: str = "quad", speed: float = 1.85, **sensors: Any) -> dict[str, Any]:

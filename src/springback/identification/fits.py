@@ -27,6 +27,8 @@ from springback.scenario.presets import with_contents
 from springback.scenario.scenario import Scenario
 from springback.scenario.source_text import source_text, toml_tables
 
+#: Directions of all arms.
+DIRECTIONS = "vehicle.arms.directions"
 #: Distance within which a touch that a plan names is one that was found [s] (chosen).
 NEAR = 0.05
 
@@ -133,8 +135,13 @@ def fields_of_plan(plan: FitPlan, scenario: Scenario) -> list[Unknown]:
     """
     fields = [field_unknown(name, text, "free", scenario) for name, text in plan.free.items()]
     for name, text in plan.uncertainties().items():
-        if name in plan.known or _has(scenario, name):
-            fields.append(field_unknown(name, text, "known", scenario))
+        names = [name]
+        if name == DIRECTIONS:
+            arms = range(scenario.vehicle.arm_count)
+            names = [one for j in arms if not plan.is_given(one := f"{DIRECTIONS}.{j}")]
+        elif name not in plan.known and not _has(scenario, name):
+            continue
+        fields += [field_unknown(one, text, "known", scenario) for one in names]
     return fields
 
 

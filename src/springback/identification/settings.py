@@ -18,7 +18,11 @@ from springback.settings import Name, Settings, problem
 
 Rate = Annotated[float, Unit("Hz", above=0.0)]
 #: Fields that are uncertain by default: what a scale and a ruler tell (chosen).
-USUALLY_KNOWN = {"vehicle.body.mass": "+- 0.5 %", "vehicle.arms.mass": "+- 5 %"}
+USUALLY_KNOWN = {
+    "vehicle.body.mass": "+- 0.5 %",
+    "vehicle.arms.mass": "+- 5 %",
+    "vehicle.arms.directions": "+- 1 deg",
+}
 #: The word for a field that is not uncertain.
 EXACT = "exact"
 
@@ -167,7 +171,11 @@ class FitPlan(Settings):
     """Fields to be fitted, each with its uncertainty: ``factor 5``, ``+- 20 %``, ``+- 5 deg``,
     ``5 N/mm factor 3``."""
     known: dict[str, str] = Field(default_factory=dict)
-    """Fields that are known to some uncertainty, as ``1.88 kg +- 0.5 %``; ``exact`` for none."""
+    """Fields that are known to some uncertainty, as ``1.88 kg +- 0.5 %``; ``exact`` for none.
+
+    By default the mass of the body is known to 0.5 %, that of arms to 5 %, and the direction of each
+    arm to 1 degree (``vehicle.arms.directions`` stands for all of them).
+    """
     sensors: FitSensors = FitSensors()
     clocks: ClockFit = ClockFit()
     start: StartFit = StartFit()
@@ -206,6 +214,10 @@ class FitPlan(Settings):
         told = {name: text for name, text in USUALLY_KNOWN.items() if name not in self.free}
         told |= self.known
         return {name: text for name, text in told.items() if text.strip() != EXACT}
+
+    def is_given(self, name: str) -> bool:
+        """True if the plan says itself how well a field is known."""
+        return name in self.free or name in self.known
 
 
 def read_fit_plan(path: str | Path, overrides: Sequence[str] = ()) -> FitPlan:

@@ -18,7 +18,7 @@ from springback.errors import InputError, shown_value
 from springback.problems import key_path
 from springback.quantities import number_in, si_number
 from springback.scenario.fields import Parameter, Path, number_at
-from springback.scenario.overrides import with_value
+from springback.scenario.overrides import apply_overrides, with_value
 from springback.scenario.scenario import Scenario
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -80,6 +80,8 @@ def field_unknown(name: str, text: str, role: Role, scenario: Scenario) -> Unkno
     """
     path = tuple(key_path(name))
     found = number_at(name, path, scenario, ()) if path else None
+    if found is None and path[-2:-1] == ("directions",):
+        found = Parameter(name, path, "rad")  # of an arm: a list of any length
     if found is None or found.whole:
         raise InputError(f"{name}: is no number that can be fitted")
     current = _current(scenario, path)
@@ -160,3 +162,12 @@ def with_values(
             value = float(unknown.value(at))
             result = with_value(result, unknown.path, value, f"{unknown.name}={value!r}")
     return dict(result)
+
+
+def with_lists(tables: Mapping[str, Any], unknowns: Sequence[Unknown]) -> dict[str, Any]:
+    """Tables in which the lists are written out that some fields are entries of."""
+    words = [
+        f"{one.name}={float(one.value(0.0))!r}"
+        for one in unknowns if any(isinstance(key, int) for key in one.path)
+    ]  # fmt: skip
+    return apply_overrides(dict(tables), words)

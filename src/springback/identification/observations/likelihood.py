@@ -26,7 +26,13 @@ from springback.identification.observations.windows import (
     WindowPlan,
 )
 from springback.identification.settings import InertialChannel
-from springback.identification.unknowns import FARTHEST, Unknown, latent, with_values
+from springback.identification.unknowns import (
+    FARTHEST,
+    Unknown,
+    latent,
+    with_lists,
+    with_values,
+)
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
     ARM_LENGTH,
@@ -71,7 +77,7 @@ class ImpactProblem:
             impact: Readings.
         """
         self.plan, self.scenario, self.impact = plan, scenario, impact
-        self.tables = open_loop(tables, impact)
+        self.tables = with_lists(open_loop(tables, impact), fields)
         self.slider = scenario.model.slider
         self.readings = [
             one for one in impact.readings
