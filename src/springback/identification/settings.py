@@ -173,8 +173,8 @@ class FitPlan(Settings):
     known: dict[str, str] = Field(default_factory=dict)
     """Fields that are known to some uncertainty, as ``1.88 kg +- 0.5 %``; ``exact`` for none.
 
-    By default the mass of the body is known to 0.5 %, that of arms to 5 %, and the direction of each
-    arm to 1 degree (``vehicle.arms.directions`` stands for all of them).
+    By default the mass of the body is known to 0.5 %, that of arms to 5 %, and the direction of
+    each arm to 1 degree (``vehicle.arms.directions`` stands for all of them).
     """
     sensors: FitSensors = FitSensors()
     clocks: ClockFit = ClockFit()
