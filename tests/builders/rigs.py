@@ -55,7 +55,8 @@ def rig_plan(hits: int = 1, starts: int = 2) -> FitPlan:
     """Plan of a fit to the hits of a folder."""
     flights = [{"logs": [f"hit{k}"]} for k in range(hits)]
     plan = {"name": "rig", "scenario": "rig.toml", "flights": flights, "free": FREE}
-    return FitPlan.model_validate(plan | {"starts": starts})
+    known = {"vehicle.arms.directions": "exact"}  # what a degree of them moves is what is tested
+    return FitPlan.model_validate(plan | {"starts": starts, "known": known})
 
 
 @functools.cache

@@ -80,7 +80,7 @@ def test_what_is_assumed_moves_the_result_as_a_further_fit_does(found: FitResult
     assert told["world.obstacles.0.surface.exponent"].shifts == {}
     assert told["vehicle.body.inertia.2.2"].weight < 0.01  # it cannot turn
     for name in ("vehicle.arms.length", "world.obstacles.0.distance"):
-        assert told[name].weight < 0.05  # the start follows: a quarter would matter
+        assert told[name].weight < 0.01  # the start follows
     assert "vehicle.body.mass" not in told  # it is known to some uncertainty
     left, right = (told[name] for name in FRONT)
     for name, shift in left.shifts.items():
