@@ -50,7 +50,7 @@ mutations:
 	PYTHONPATH=src:tests $(BIN)/python tests/oracles/mutations.py $(MUTATIONS)
 
 # Gaps and normals of all parts and shapes beside a slow oracle: a table (docs/validation.md); then
-# of hulls of every kind, and against grids: some eight minutes for each of 39 cases; POSES=500: less.
+# of hulls of every kind, and against grids: some three quarters of an hour; POSES=500: less.
 POSES ?= 10000
 geometry:
 	@tools/environment dev

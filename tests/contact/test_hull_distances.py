@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-import math
 import os
+from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
 from builders.cases import nonempty
-from builders.hull_oracle import HULLS, distance, is_within, lowest, normal
+from builders.hull_oracle import DEEP, HULLS, is_within, lowest_in, normals, poses_near
 from builders.shapes import SHAPES
+from oracles.distances import bodies_of, least
 from springback.contact.hulls.compound import SCENE_HULL_FACES
 from springback.contact.hulls.contacts import HullFaces, HullPart, no_hull_faces
 from springback.contact.scene.faces import SCENE_FACES, SolidScene
@@ -23,12 +23,9 @@ from springback.kernels.trees import leaves, rebuilt
 from springback.kernels.vectors import Mat3, Vec
 from springback.vehicle.hulls import compound_hull
 
+Array = np.ndarray[Any, np.dtype[np.float64]]
 #: Poses of each hull at each shape: 14 x 5 x 8; and in the slow test (`make geometry`: 10 000).
 POSES, MANY = 8, int(os.environ.get("POSES", "40"))
-#: Depth of the deepest poses, and distance of the farthest [m].
-DEEP, FAR = 0.004, 0.04
-#: Shapes along whose edges and across whose openings the distance has several lowest points.
-OPEN = ("hoop", "window", "round", "doorway")
 
 
 @executor(nogil=True)
@@ -54,62 +51,59 @@ def scene(shape: str) -> SolidScene:
     return found
 
 
-def poses(shape: str, hull: str, count: int) -> list[tuple[HullPart, np.ndarray, np.ndarray]]:
-    """Random poses of a hull near a shape, some of them pressed in a little."""
-    chance = np.random.default_rng([list(SHAPES).index(shape), list(HULLS).index(hull)])
+class Misses(NamedTuple):
+    """By how much the routine differs from samples at some poses, shape (n,) each."""
+
+    gap: Array  # by samples [m]
+    over: Array  # what the routine's is more [m]
+    angle: Array  # of the normals [deg]; not a number where they are not to be compared
+    at: Array  # where the hull is [m], shape (n, 3)
+
+
+def misses(shape: str, hull: str, count: int) -> Misses:
+    """Gaps and normals by the routine beside those of samples."""
     form, compound, world = HULLS[hull].form(), compound_hull([HULLS[hull]]), scene(shape)
+    field = least(bodies_of(SHAPES[shape]))
     middle = np.mean([body.centre for body in SHAPES[shape].bodies()], axis=0)
-    found: list[tuple[HullPart, np.ndarray, np.ndarray]] = []
-    points = form.points if len(form.points) else form.centre + form.radius * np.eye(3)
-    while len(found) < count:
-        turn = Rotation.random(random_state=chance).as_matrix()
-        at = middle + chance.uniform(-0.5, 0.5, size=3)
-        away = chance.normal(size=3)
-        away /= np.linalg.norm(away)
-        for _ in range(12):  # along a line, until it is near
-            gap = float(distance(SHAPES[shape], at + points @ turn.T).min()) - form.radius
-            if -DEEP < gap < FAR:
-                break
-            at = at + away * (0.5 * (DEEP + FAR) - gap) * 0.7
-        else:
-            continue
-        part = HullPart(
+    chance = np.random.default_rng([list(SHAPES).index(shape), list(HULLS).index(hull)])
+    positions, turns = poses_near(form, field, middle, chance, count)
+    parts = [
+        HullPart(
             world.table, compound.table, compound.centre, compound.radius, Vec(0.0, 0.0, 0.0),
             Vec(*at.tolist()), Mat3(*(Vec(*row) for row in turn.tolist())), 1.0, 0.0,
             SCENE_FACES.address,
-        )  # fmt: skip
-        found.append((part, at, turn))
-    return found
+        )
+        for at, turn in zip(positions, turns, strict=True)
+    ]  # fmt: skip
+    seen = [faces.first.nearest for faces in faces_at(parts)]
+    found, steepness = np.array([[face.gap, face.steepness] for face in seen]).T
+    inward = np.einsum("nij,nj->ni", turns, [face.inward for face in seen])
+    lever = np.einsum("nij,nj->ni", turns, [face.at.point for face in seen])
+    solid = form.radius * (hull != "ring")
+    core = positions + lever - solid * inward
+    gap, where = lowest_in(form, field, positions, turns)
+    # What is said to be nearest is as near, and a point of the hull: samples may miss it.
+    there = field(core) - solid
+    for k in np.flatnonzero(there < gap):
+        if is_within(form, (core[k] - positions[k]) @ turns[k]):
+            gap[k], where[k] = there[k], core[k]
+    theirs = normals(field, where)
+    smooth = (np.abs(np.linalg.norm(theirs, axis=1) - 1.0) < 1e-6) & (steepness > 1.0 - 1e-6)
+    same = np.linalg.norm(core - where, axis=1) < 1e-5  # of two that are equally near
+    across = np.linalg.norm(np.cross(inward, theirs), axis=1)
+    angle = np.degrees(np.arctan2(across, -np.sum(inward * theirs, axis=1)))
+    angle[~(smooth & same & (gap > 1e-3))] = np.nan
+    kept = gap > -2.0 * DEEP  # of the others a corner that was not near went through
+    return Misses(*(values[kept] for values in (gap, found - gap, angle, positions)))
 
 
 def check(shape: str, hull: str, count: int) -> None:
     """Gap to 1e-6 m, never overstated by more; normal to 0.1 degrees where there is one."""
-    given = poses(shape, hull, count)
-    seen = faces_at([part for part, _, _ in given])
-    form, compared = HULLS[hull].form(), 0
-    for (_, at, turn), faces in zip(nonempty(given), seen, strict=True):
-        gap, where = lowest(form, SHAPES[shape], at, turn)
-        if gap < -2.0 * DEEP:
-            continue  # a corner that was not near went through
-        found = faces.first.nearest
-        inward = turn @ np.array(found.inward)
-        core = at + turn @ np.array(found.at.point) - form.radius * inward * (hull != "ring")
-        # What is said to be nearest is as near, and a point of the hull: samples may miss it.
-        there = float(distance(SHAPES[shape], core[None])[0]) - form.radius * (hull != "ring")
-        if there < gap and is_within(form, (core - at) @ turn):
-            gap, where = there, core
-        # Deep inside a shape that is open a face may have more lowest points than are looked for;
-        # beyond the thickness of a shape the nearest side is another one.
-        close = 1e-6 if gap > 0.0 or shape not in OPEN else 2e-3
-        assert found.gap - gap < close, (shape, hull, at, found.gap, gap)
-        assert gap - found.gap < 1e-6, (shape, hull, at, found.gap, gap)
-        theirs = normal(SHAPES[shape], where)
-        smooth = abs(np.linalg.norm(theirs) - 1.0) < 1e-6 and found.steepness > 1.0 - 1e-6
-        same = np.linalg.norm(core - where) < 1e-5  # of two that are equally near
-        if smooth and same and gap > 1e-3:
-            assert math.degrees(math.acos(min(float(-inward @ theirs), 1.0))) < 0.1
-            compared += 1
-    assert compared
+    found = misses(shape, hull, count)
+    nonempty(found.gap.tolist())
+    wrong = (np.abs(found.over) > 1e-6) | (found.angle > 0.1)
+    assert not wrong.any(), (shape, hull, *(values[wrong] for values in found))
+    assert np.isfinite(found.angle).any()
 
 
 @pytest.mark.parametrize("shape", SHAPES)

@@ -11,11 +11,10 @@ from typing import Any
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
 
 from builders.cases import nonempty
 from builders.forms import ball_file, box_file, cells_file, hills_file
-from builders.hull_oracle import HULLS, is_within, lowest_in
+from builders.hull_oracle import DEEP, HULLS, is_corner, is_within, lowest_in, normals, poses_near
 from springback.contact.grids.measured_shapes import HeightMap, MeshBody, OccupancyGrid
 from springback.contact.hulls.compound import SCENE_HULL_FACES
 from springback.contact.hulls.contacts import HullPart, no_hull_faces
@@ -37,8 +36,6 @@ TURNED: dict[str, Any] = {"roll": 0.4, "pitch": -0.3, "yaw": 1.1}
 HERE = (0.3, -0.2, 1.1)
 #: Poses of each hull at each form.
 POSES = int(os.environ.get("POSES", "30"))
-#: Depth of the deepest poses, and distance of the farthest [m].
-DEEP, FAR = 0.004, 0.04
 
 
 def forms() -> dict[str, ShapeSettings]:
@@ -98,56 +95,41 @@ def part_at(world: SolidScene, hull: str, at: Array, turn: Array) -> HullPart:
     )  # fmt: skip
 
 
-def poses(field: PointDistance, hull: str, chance: Any, count: int) -> list[tuple[Array, Array]]:
-    """Random poses of a hull near a form, some of them pressed in a little."""
-    form, found = HULLS[hull].form(), []
-    points = form.points if len(form.points) else form.centre + form.radius * np.eye(3)
-    while len(found) < count:
-        turn = Rotation.random(random_state=chance).as_matrix()
-        at = np.array(HERE) + chance.uniform(-0.5, 0.5, size=3)
-        away = chance.normal(size=3)
-        away /= np.linalg.norm(away)
-        for _ in range(12):  # along a line, until it is near
-            gap = float(field(at + points @ turn.T).min()) - form.radius
-            if -DEEP < gap < FAR:
-                found.append((at, turn))
-                break
-            at = at + away * (0.5 * (DEEP + FAR) - gap) * 0.7
-    return found
-
-
-def errors(name: str, hull: str, count: int) -> list[tuple[float, float]]:
-    """Gap of the routine less that of samples [m], and the angle of normals [rad], at some poses."""
+def errors(name: str, hull: str, count: int) -> tuple[Array, Array, Array]:
+    """Gap of samples, by how much the routine's is more [m], and angle of normals [deg]."""
     shape, form = FORMS[name], HULLS[hull].form()
     world = obstacles((shape,), as_scene=True)
     assert isinstance(world, SolidScene)
     chance = np.random.default_rng([list(FORMS).index(name), list(HULLS).index(hull)])
-    field, found = PointDistance(shape), []
-    given = poses(field, hull, chance, count)
-    parts = [part_at(world, hull, *pose) for pose in given]  # which keep the hull's table
+    field = PointDistance(shape)
+    positions, turns = poses_near(form, field, np.array(HERE), chance, count)
+    # These keep the hull's table.
+    parts = [part_at(world, hull, *pose) for pose in zip(positions, turns, strict=True)]
     asked = np.array([leaves(part) for part in parts])
-    out = np.zeros((len(given), len(leaves(no_hull_faces()))))
+    out = np.zeros((count, len(leaves(no_hull_faces()))))
     search(TreeLayout(parts[0]), asked, out, SCENE_HULL_FACES.address)
-    for (at, turn), row in zip(given, out.tolist(), strict=True):
-        first = rebuilt(no_hull_faces(), row).first
-        gap, where = lowest_in(form, field, at, turn)
-        if gap < -2.0 * DEEP:
-            continue  # a corner that was not near went through
-        inward = turn @ np.array(first.nearest.inward)
-        solid = form.radius * (hull != "ring")
-        core = at + turn @ np.array(first.nearest.at.point) - solid * inward
-        there = float(field(core[None])[0]) - solid
-        if there < gap and is_within(form, (core - at) @ turn):
-            gap, where = there, core  # samples may miss it
-        steps = 1e-6 * np.eye(3)
-        slope = (field(where + steps) - field(where - steps)) / 2e-6
-        turned = 0.0
-        smooth = abs(np.linalg.norm(slope) - 1.0) < 0.1 and first.nearest.steepness > 1.0 - 1e-6
-        if smooth and np.linalg.norm(core - where) < 1e-5:
-            cosine = float(-inward @ slope / np.linalg.norm(slope))
-            turned = float(np.arccos(min(cosine, 1.0)))
-        found.append((first.nearest.gap - gap, turned))
-    return found
+    seen = [rebuilt(no_hull_faces(), row).first.nearest for row in out.tolist()]
+    found, steepness = np.array([[face.gap, face.steepness] for face in seen]).T
+    inward = np.einsum("nij,nj->ni", turns, [face.inward for face in seen])
+    lever = np.einsum("nij,nj->ni", turns, [face.at.point for face in seen])
+    solid = form.radius * (hull != "ring")
+    core = positions + lever - solid * inward
+    gap, where = lowest_in(form, field, positions, turns)
+    there = field(core) - solid
+    for k in np.flatnonzero(there < gap):
+        if is_within(form, (core[k] - positions[k]) @ turns[k]):
+            gap[k], where[k] = there[k], core[k]  # samples may miss it
+    slope = normals(field, where)
+    length = np.linalg.norm(slope, axis=1)
+    smooth = ~is_corner(field, where) & (np.abs(length - 1.0) < 0.1) & (steepness > 1.0 - 1e-6)
+    same = np.linalg.norm(core - where, axis=1) < 1e-5
+    across = np.linalg.norm(np.cross(inward, slope), axis=1)
+    turned = np.degrees(np.arctan2(across, -np.sum(inward * slope, axis=1)))
+    turned[~(smooth & same)] = 0.0
+    kept = gap > -2.0 * DEEP  # of the others a corner that was not near went through
+    if name == "net":  # the distance ends where a hull reaches around its rim: nothing is behind it
+        kept &= length < 2.0
+    return gap[kept], (found - gap)[kept], turned[kept]
 
 
 @pytest.mark.parametrize("hull", HULLS)
@@ -155,10 +137,14 @@ def errors(name: str, hull: str, count: int) -> list[tuple[float, float]]:
 def test_a_hull_meets_the_lowest_point_of_a_form(name: str, hull: str) -> None:
     """Gap to 1e-6 m and the normal of the distance there.
 
-    Nothing is behind a net: where a ring reaches around its rim the distance ends, and the lowest
-    point of samples is beside that.
+    The distance from a mesh is a spline, which ripples beside edges: of several lowest points within
+    a cell or two, in 4 of 100 000 poses the second is named, up to 0.12 mm above the first.  It may
+    be no higher than the grid is wrong at the surface.
     """
-    found = np.array(nonempty(errors(name, hull, POSES)))
-    close = 4e-3 if (name, hull) == ("net", "ring") else 1e-6
-    assert np.abs(found[:, 0]).max() < close
-    assert found[:, 1].max() < np.radians(0.1)
+    _, over, turned = errors(name, hull, POSES)
+    nonempty(over.tolist())
+    shape = FORMS[name]
+    close = shape.form().largest if isinstance(shape, MeshBody) else 1e-6
+    assert np.abs(over).max() < close
+    assert np.mean(np.abs(over) > 1e-6) < 5e-4
+    assert turned.max() < 0.1

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from springback.contact.hulls.chords import Chord, chord_at
 from springback.contact.obstacles import outward_normal, signed_distance
-from springback.contact.rings import CLOSE, FAR, TRIES, TRUNCATION
+from springback.contact.rings import CLOSE, FAR, LOWER, PARTS, TRIES, TRUNCATION
 from springback.contact.scene.sections import Face
 from springback.kernels.compiler import generic, kernel, rare_kernel
 from springback.kernels.routines import number_at
@@ -24,12 +24,17 @@ LEVEL = 1e-9
 #: Parts of an edge in which a lowest point is looked for above a shape that is not convex, and
 #: points between two places at which a way that leaves the shape is looked for (chosen).
 PIECES, WAYPOINTS = 16, 8
+#: A distance changes by no more than this per metre: a spline by a little more than 1 (chosen).
+STEEPEST = 1.1
 #: Chords of a face, and points on each, above a shape that is not convex (chosen).
 GRID = 12
 #: Steps of the grid within which there is one lowest point (chosen).
-BASIN = 2.0
+BASIN = 1.0
 #: Times that the lowest of these points is looked for again on a grid half as wide (chosen).
-ZOOMS = 5
+ZOOMS = 4
+#: Times that they are followed out of the part of a face in which they were looked for, which then
+#: is twice as wide, and the share of it that counts as its rim (chosen).
+MOVES, RIM = 8, 1e-3
 #: Chords begin and end this share of a face's width inside it: at a corner they have no length.
 INSIDE = 1e-9
 
@@ -142,10 +147,13 @@ def lowest_inside(shape: Any, a: Vec, b: Vec, n_a: Vec, n_b: Vec, is_convex: boo
         if (falls < -level) & (rises > level):
             first = turning_point(shape, a, b, falls, rises)
         return EdgePoints(first, second)
-    here, falls = a, n_a @ along
+    here, falls, low = a, n_a @ along, near_face(shape, a).gap
+    lowest = low
     for k in range(PIECES):
         there = a + ((k + 1.0) / PIECES) * along
-        rises = near_face(shape, there).normal @ along
+        face = near_face(shape, there)
+        rises = face.normal @ along
+        lowest = face.gap if face.gap < lowest else lowest
         if (falls < -level) & (rises > level):
             found = turning_point(shape, here, there, falls, rises)
             if found.gap < first.gap:
@@ -155,7 +163,41 @@ def lowest_inside(shape: Any, a: Vec, b: Vec, n_a: Vec, n_b: Vec, is_convex: boo
         # A level piece belongs to the slope before it.
         if (rises < -level) | (rises > level):
             here, falls = there, rises
+    lowest = first.gap if first.gap < lowest else lowest
+    reach = 0.5 * STEEPEST / PIECES * math.sqrt(along @ along)
+    for k in range(PIECES):
+        there = a + ((k + 1.0) / PIECES) * along
+        high = near_face(shape, there).gap
+        if 0.5 * (low + high) - reach < lowest:
+            found = _lowest_in_piece(shape, a + (k / PIECES) * along, there, level)
+            if found.gap < min(first.gap, lowest) - LOWER:
+                first, second, lowest = found, first, found.gap
+        low = high
     return EdgePoints(first, second)
+
+
+@rare_kernel
+def _lowest_in_piece(shape: Any, a: Vec, b: Vec, level: float) -> EdgePoint:
+    """Lowest point inside a piece of an edge, of which slopes at its ends do not tell.
+
+    Args:
+        shape: In the axes of the points.
+        a: One end of the piece ...
+        b: ... and the other [m].
+        level: Slopes closer to zero count as level, for the whole edge [m].
+    """
+    along, best = b - a, no_point(a)
+    here, falls = a, near_face(shape, a).normal @ along
+    for k in range(PARTS):
+        there = a + ((k + 1.0) / PARTS) * along
+        rises = near_face(shape, there).normal @ along
+        if (falls < -level / PIECES) & (rises > level / PIECES):
+            found = turning_point(shape, here, there, falls, rises)
+            if found.gap < best.gap:
+                best = found
+        if (rises < -level / PIECES) | (rises > level / PIECES):
+            here, falls = there, rises
+    return best
 
 
 @rare_kernel
@@ -254,8 +296,8 @@ def _lower(shape: Any, face: FlatFace, patch: Patch, s: float, t: float) -> Patc
 def _lowest_patch(shape: Any, face: FlatFace, first: float, last: float, known: EdgePoint) -> Patch:
     """Small part of a face around its lowest point above a shape: the lowest of some points.
 
-    A grid over the face is followed by finer ones, each around the lowest point so far.  Points
-    near one that is known do not count.
+    A grid over the face, finer where the distance can be lower, is followed by finer ones, each
+    around the lowest point so far.  Points near one that is known do not count.
     """
     wide, best = (last - first) / GRID, Patch(0.0, 0.0, 0.0, 0.0, FAR)
     away = known.point - face.middle
@@ -264,13 +306,21 @@ def _lowest_patch(shape: Any, face: FlatFace, first: float, last: float, known: 
         s = first + (i + 0.5) * wide
         chord = chord_at(face.table, face.row, s)
         high = (chord.high - chord.low) / GRID
+        reach = 0.5 * STEEPEST * math.sqrt(wide * wide + high * high)
         for k in range(GRID):
             t = chord.low + (k + 0.5) * high
             far = (abs(s - known_s) > BASIN * wide) | (abs(t - known_t) > BASIN * high)
             if far or known.gap == FAR:
-                found = _lower(shape, face, best, s, t)
-                if found.gap < best.gap:
-                    best = Patch(found.s, found.t, wide, high, found.gap)
+                gap = near_face(shape, face.middle + s * face.x + t * face.y).gap
+                if gap < best.gap:
+                    best = Patch(s, t, 0.5 * wide, 0.5 * high, gap)
+                if gap - reach < best.gap:  # a lower point may be in this cell
+                    for j in range(4):
+                        part_s = s + (0.25 if j < 2 else -0.25) * wide
+                        part_t = t + (0.25 if j % 2 == 0 else -0.25) * high
+                        best = _lower(shape, face, best, part_s, part_t)
+                        if best.s == part_s and best.t == part_t:
+                            best = Patch(part_s, part_t, 0.5 * wide, 0.5 * high, best.gap)
     for _ in range(ZOOMS):
         around = best
         for i in range(-2, 3):
@@ -283,27 +333,32 @@ def _lowest_patch(shape: Any, face: FlatFace, first: float, last: float, known: 
     return Patch(best.s, best.t, 2.0 * best.wide, 2.0 * best.high, best.gap)
 
 
+class ChordsPoint(NamedTuple):
+    """Lowest point of some chords of a face, each as low as its lowest point."""
+
+    low: EdgePoint
+    beside: float  # −1 or 1: it is on the first or the last chord, and others beyond are lower
+
+
 @rare_kernel
-def lowest_on_face(shape: Any, face: FlatFace, is_convex: bool, known: EdgePoint) -> EdgePoint:
-    """Lowest point inside a face above a shape; `FAR` if there is none.
+def _lowest_of_chords(
+    shape: Any, face: FlatFace, first: float, last: float, strip: Strip
+) -> ChordsPoint:
+    """Lowest point of the chords between two, found as a bracketed root of the slope across them.
 
     Args:
         shape: In the axes of the hull's points.
-        face: Whose lowest point is not on its boundary.
-        is_convex: As for `lowest_inside`; else the lowest of some points tells where to look.
-        known: A lowest point that is known, where another one is looked for; else `no_point`.
+        face: The face.
+        first: Place of the first chord, along the face's first axis from its middle [m].
+        last: Place of the last one [m].
+        strip: The part of the face.
     """
-    whole = chord_at(face.table, face.row, 0.0)
-    inside = INSIDE * (whole.last - whole.first)
-    first, last, strip = whole.first + inside, whole.last - inside, Strip(-FAR, FAR)
-    if not is_convex:
-        patch = _lowest_patch(shape, face, first, last, known)
-        first, last = max(first, patch.s - patch.wide), min(last, patch.s + patch.wide)
-        strip = Strip(patch.t - patch.high, patch.t + patch.high)
     low, high = _along_chord(shape, face, first, strip), _along_chord(shape, face, last, strip)
     falls, rises = low.normal @ face.x, high.normal @ face.x
-    if (falls >= 0.0) | (rises < 0.0):
-        return no_point(face.middle)
+    if falls >= 0.0:
+        return ChordsPoint(low, -1.0)
+    if rises < 0.0:
+        return ChordsPoint(high, 1.0)
     bracket = Bracket(0.0, 1.0, falls, rises, 1.0)
     for _ in range(TRIES):
         if bracket.high - bracket.low <= CLOSE:
@@ -319,7 +374,47 @@ def lowest_on_face(shape: Any, face: FlatFace, is_convex: bool, known: EdgePoint
     total = bracket.rises - bracket.falls
     before, after = bracket.rises / total, -bracket.falls / total
     at = before * low.point + after * high.point
-    return EdgePoint(at, near_face(shape, at).gap, before * low.normal + after * high.normal)
+    normal = before * low.normal + after * high.normal
+    return ChordsPoint(EdgePoint(at, near_face(shape, at).gap, normal), 0.0)
+
+
+@rare_kernel
+def lowest_on_face(shape: Any, face: FlatFace, is_convex: bool, known: EdgePoint) -> EdgePoint:
+    """Lowest point inside a face above a shape; `FAR` if there is none.
+
+    Args:
+        shape: In the axes of the hull's points.
+        face: Whose lowest point is not on its boundary.
+        is_convex: As for `lowest_inside`; else the lowest of some points tells where to look.
+        known: A lowest point that is known, where another one is looked for; else `no_point`.
+    """
+    whole = chord_at(face.table, face.row, 0.0)
+    inside = INSIDE * (whole.last - whole.first)
+    first, last = whole.first + inside, whole.last - inside
+    if is_convex:
+        found = _lowest_of_chords(shape, face, first, last, Strip(-FAR, FAR))
+        return found.low if found.beside == 0.0 else no_point(face.middle)
+    # Of the boundary, where a lowest point ends the search, edges tell.
+    patch = _lowest_patch(shape, face, first, last, known)
+    for _ in range(MOVES):
+        begin, end = max(first, patch.s - patch.wide), min(last, patch.s + patch.wide)
+        strip = Strip(patch.t - patch.high, patch.t + patch.high)
+        found = _lowest_of_chords(shape, face, begin, end, strip)
+        if ((found.beside < 0.0) & (begin == first)) | ((found.beside > 0.0) & (end == last)):
+            break
+        away = found.low.point - face.middle
+        s, t = away @ face.x, away @ face.y
+        chord, rim = chord_at(face.table, face.row, s), RIM * patch.high
+        is_below = (t < strip.low + rim) & (chord.low < strip.low)
+        is_above = (t > strip.high - rim) & (chord.high > strip.high)
+        if (found.beside == 0.0) & (not is_below) & (not is_above):
+            edge = INSIDE * (chord.high - chord.low)
+            if (t < chord.low + edge) | (t > chord.high - edge):
+                break
+            return found.low
+        # A narrow valley, oblique to the grid, leads out of the patch.
+        patch = Patch(s, t, 2.0 * patch.wide, 2.0 * patch.high, found.low.gap)
+    return no_point(face.middle)
 
 
 @kernel

@@ -254,6 +254,8 @@ def _face_of_hull(
     low = lowest_on_face(shape, flat, is_convex, no_point(middle))
     if not is_convex and low.gap < FAR and may_touch(found, low.gap - hull.radius):
         other = lowest_on_face(shape, flat, is_convex, low)
+        if other.gap < low.gap:
+            low, other = other, low
         from_first = other.gap < FAR and is_parted(shape, other.point, low.point)
         if from_first and is_parted(shape, other.point, best.point):
             found = with_contact(found, hull.law, at_point(other, hull.radius), other.point)

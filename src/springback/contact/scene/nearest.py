@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.contact.obstacles import outward_normal, signed_distance
-from springback.contact.rings import FAR
+from springback.contact.rings import FAR, has_ridges
 from springback.contact.scene.solids import WIDTH, solid_face
 from springback.kernels.compiler import kernel
 from springback.kernels.routines import number_at
@@ -152,6 +152,12 @@ def _near_distance(near: NearestSolids, point: Vec) -> float:
 @kernel
 def _near_normal(near: NearestSolids, point: Vec) -> Vec:
     return solid_face(near.table, nearest_of(near, point).row, point).normal
+
+
+@has_ridges.register(NearestSolids)
+@kernel
+def _near_has_ridges(near: NearestSolids) -> bool:
+    return near.number > 1
 
 
 def distance_of(scene: Any, point: Vec) -> float:

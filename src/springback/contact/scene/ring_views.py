@@ -25,6 +25,8 @@ from springback.contact.rings import (
     LowPoints,
     between,
     direction_of,
+    has_ridges,
+    lower_beside,
     rotate,
     turn_of,
     turning_point,
@@ -39,6 +41,8 @@ from springback.contact.scene.solids import (
     CENTRE,
     GRID,
     HEIGHTS,
+    ROUND_WINDOW,
+    WINDOW,
     SolidForm,
     capsule_face,
     form_at,
@@ -105,6 +109,12 @@ def _in_body(view: AlongRing, normal: Vec) -> Vec:
     return Vec(view.x @ normal, view.y @ normal, view.z @ normal)
 
 
+@has_ridges.register(AlongRing)
+@kernel
+def _form_has_ridges(view: AlongRing) -> bool:
+    return (view.form.kind == WINDOW) | (view.form.kind == ROUND_WINDOW)
+
+
 class FormAlongRing(NamedTuple):
     """A smooth solid, viewed from a ring: a grid, a height map or a capsule."""
 
@@ -146,6 +156,8 @@ STEP = STEEPEST * 2.0 * math.pi / WHOLE
 #: Looks at the true distance, once the place of a minimum is nearly known, and the slope along the
 #: ring at which it is found (chosen: the place is then known to some 1e-11 m).
 LOOKS, LEVEL = 6, 1e-10
+#: Steps beside the lowest point in which another one is looked for, outside the box of a grid.
+BESIDE = 2
 
 
 @kernel
@@ -196,11 +208,11 @@ def _level_between(
 
 @kernel
 def _shortest_stride(view: AlongRing, radius: float) -> float:
-    """Steps in a cell of the form, which has no two minima within one."""
+    """Steps in half a cell of the form, which has no two minima within that."""
     if view.form.kind == CAPSULE:
         return 1.0
     if view.form.kind == GRID:
-        cell = number_at(view.form.d, CELL)
+        cell = 0.5 * number_at(view.form.d, CELL)
     else:
         per = max(number_at(view.form.d, PER_CELL), number_at(view.form.d, PER_CELL + 1))
         cell = 0.5 / per
@@ -242,6 +254,39 @@ def _true_minimum(view: AlongRing, radius: float, guess: Direction, bend: float)
     return Minimum(LowPoint(towards, face.gap, _in_body(view, face.normal)), is_level)
 
 
+@called_kernel
+def _at_kink(view: AlongRing, radius: float, a: Direction, b: Direction, low: LowPoint) -> LowPoint:
+    """Minimum of the true distance between two directions, as where two sides meet.
+
+    Args:
+        view: The solid.
+        radius: Of the ring [m].
+        a: The first direction ...
+        b: ... and the second.
+        low: What is said if the distance does not turn from falling to rising between them.
+    """
+    one, middle = FormAlongRing(view), Vec(0.0, 0.0, 0.0)
+    at_a = _form_face(view, Vec(radius * a.x, radius * a.y, 0.0))
+    at_b = _form_face(view, Vec(radius * b.x, radius * b.y, 0.0))
+    falls, rises = _slope(view, a, at_a.normal), _slope(view, b, at_b.normal)
+    if falls < 0.0 <= rises:
+        found = turning_point(one, middle, radius, a, b, falls, rises)
+        return found if found.gap < low.gap else low
+    return low
+
+
+@kernel
+def _is_beyond_grid(view: AlongRing, radius: float, towards: Direction, rim: float) -> bool:
+    """True for a point of a ring outside the box of a grid, or within a rim of it [m].
+
+    The distance has kinks there.
+    """
+    q = view.centre + view.x * (radius * towards.x) + view.y * (radius * towards.y)
+    x, y, z = abs(q.x) + rim, abs(q.y) + rim, abs(q.z) + rim
+    outside = (x > view.form.a) | (y > view.form.b) | (z > view.form.c)
+    return (view.form.kind == GRID) & outside
+
+
 @kernel
 def is_smooth(form: SolidForm) -> bool:
     """True for a solid that `lowest_by_strides` takes."""
@@ -271,7 +316,10 @@ def lowest_by_strides(view: AlongRing, radius: float, outward: Vec) -> LowPoints
     falls = _slope(view, a, here.normal)
     while gone < WHOLE:
         far, left = (here.least - max(lowest, 0.0)) / step, WHOLE - gone
-        room = far if far > shortest else shortest
+        least = shortest
+        if shortest >= 2.0 and _is_beyond_grid(view, radius, a, shortest * step):
+            least = 1.0
+        room = far if far > least else least
         stride, by = 1, _ONE
         if (room >= 32.0) & (left >= 32):
             stride, by = 32, _THIRTY_TWO
@@ -297,12 +345,15 @@ def lowest_by_strides(view: AlongRing, radius: float, outward: Vec) -> LowPoints
                     low = turning_point(FormAlongRing(view), middle, radius, a, b, falls, rises)
                 else:
                     near = _level_between(view, radius, a, b, falls, rises)
-                    low = _true_minimum(view, radius, near, bend).low
+                    found = _true_minimum(view, radius, near, bend)
+                    low = found.low if found.is_level else _at_kink(view, radius, a, b, found.low)
             if low.gap < first.gap:
                 first, second = low, first
             elif low.gap < second.gap:
                 second = low
         a, falls, gone = b, rises, gone + stride
+    if first.gap < FAR and _is_beyond_grid(view, radius, first.towards, BESIDE * step):
+        first = lower_beside(FormAlongRing(view), middle, radius, first, BESIDE)
     return with_saddle(
         FormAlongRing(view), middle, radius, first if first.gap < FAR else level, second
     )
