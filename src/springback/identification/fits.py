@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import itertools
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
+
+import numpy as np
 
 from springback.errors import InputError
 from springback.identification.estimates import FieldEstimate, field_estimates
@@ -15,8 +18,9 @@ from springback.identification.settings import FitPlan, LoggedFlight, refuse_sec
 from springback.identification.solving.fitting import ImpactFit, fit_impact
 from springback.identification.unknowns import Unknown, field_unknown
 from springback.identification.wording import sentences
+from springback.logs.frame_check import check_frames
 from springback.logs.reading import LogOptions
-from springback.logs.recording import Recording
+from springback.logs.recording import ARM_LENGTH, Recording
 from springback.logs.segments import LogImpact, find_impacts
 from springback.logs.writing.flight_recording import log_or_flight
 from springback.progress import Progress, silent, stage
@@ -27,10 +31,19 @@ from springback.scenario.presets import with_contents
 from springback.scenario.scenario import Scenario
 from springback.scenario.source_text import source_text, toml_tables
 
-#: Directions of all arms.
-DIRECTIONS = "vehicle.arms.directions"
+#: Lists whose name stands for all of their numbers, and how many there are: on a slider nothing
+#: turns, and a body of parts has the inertia of these.
+LISTS: dict[str, Callable[[Scenario], int]] = {
+    "vehicle.arms.directions": lambda scenario: scenario.vehicle.arm_count,
+    "vehicle.body.inertia": lambda scenario: (
+        0 if scenario.model.slider is not None or _is_derived(scenario) else 3
+    ),
+}
 #: Distance within which a touch that a plan names is one that was found [s] (chosen).
 NEAR = 0.05
+#: Most arms whose order is looked at, and the share of the squares below which another order is
+#: plainly the right one (chosen).
+MOST_ORDERED, PLAINLY = 6, 0.2
 
 
 class ReadFlight(NamedTuple):
@@ -40,6 +53,7 @@ class ReadFlight(NamedTuple):
     tables: dict[str, Any]
     impacts: tuple[ImpactWindow, ...]
     refused: tuple[str, ...]  # impacts that cannot be used, with the reason
+    warnings: tuple[str, ...]  # what the logs say of their own frames and units
 
 
 class FitResult(NamedTuple):
@@ -119,7 +133,11 @@ def _read_flight(
         refused.append(f"{names}: no impact was found; springback identify inspect tells more")
     used = [one for one in (wanted if given.at else found) if not one.refused]
     impacts = tuple(impact_window(plan, scenario, recordings, one) for one in used)
-    return ReadFlight(scenario, changed, impacts, tuple(refused))
+    warnings = tuple(
+        f"{names}: {one.name}: {one.sentence}" for one in check_frames(recordings)
+        if not one.passed
+    )  # fmt: skip
+    return ReadFlight(scenario, changed, impacts, tuple(refused), warnings)
 
 
 def _recording(path: Path, given: LoggedFlight) -> Recording:
@@ -135,19 +153,27 @@ def fields_of_plan(plan: FitPlan, scenario: Scenario) -> list[Unknown]:
     """
     fields = [field_unknown(name, text, "free", scenario) for name, text in plan.free.items()]
     for name, text in plan.uncertainties().items():
-        names = [name]
-        if name == DIRECTIONS:
-            arms = range(scenario.vehicle.arm_count)
-            names = [one for j in arms if not plan.is_given(one := f"{DIRECTIONS}.{j}")]
-        elif name not in plan.known and not _has(scenario, name):
-            continue
-        fields += [field_unknown(one, text, "known", scenario) for one in names]
+        if name in LISTS:
+            names = [f"{name}.{k}" for k in range(LISTS[name](scenario))]
+        else:
+            names = [name] if name in plan.known or _has(scenario, name) else []
+        fields += [
+            field_unknown(one, text, "known", scenario) for one in names
+            if one == name or not plan.is_given(one)
+        ]  # fmt: skip
     return fields
+
+
+def _is_derived(scenario: Scenario) -> bool:
+    """True if mass and inertia of the body follow from parts, or from a model."""
+    return bool(scenario.vehicle.body.parts or scenario.vehicle.body.model)
 
 
 def _has(scenario: Scenario, name: str) -> bool:
     """True if a field that usually is uncertain is a single number above zero."""
     node: Any = scenario
+    if name == "vehicle.body.mass" and _is_derived(scenario):
+        return False
     for key in name.split("."):
         node = getattr(node, key, None)
     return isinstance(node, float) and node > 0.0
@@ -172,19 +198,58 @@ def fit(plan: FitPlan, folder: str | Path = ".", *, progress: Progress = silent)
         ImpactProblem(plan, flight.scenario, flight.tables, fields, impact)
         for flight in flights for impact in flight.impacts
     ]  # fmt: skip
+    for problem in problems:
+        _check_arm_order(problem)
     fits = []
     for k, problem in enumerate(problems):
         part = stage(progress, k / len(problems), 1.0 / len(problems))
         fits.append(fit_impact(problem, starts=plan.starts, seed=plan.seed))
         part(1.0)
-    return result_of(plan, fits, [reason for flight in flights for reason in flight.refused])
+    refused = [reason for flight in flights for reason in flight.refused]
+    return result_of(plan, fits, refused, [text for flight in flights for text in flight.warnings])
 
 
-def result_of(plan: FitPlan, fits: Sequence[ImpactFit], refused: Sequence[str] = ()) -> FitResult:
-    """What fits of impacts tell together."""
+def _check_arm_order(problem: ImpactProblem) -> None:
+    """Refuse arm lengths that are plainly those of other arms.
+
+    Raises:
+        InputError: With the order in which they would be those that the scenario predicts.
+    """
+    window = problem.impact.of(ARM_LENGTH)
+    given = problem.plan.sensors.arm_length.order
+    if window is None or given or not 1 < window.values.shape[1] <= MOST_ORDERED:
+        return
+    told = problem.predictions(np.zeros(len(problem.unknowns)))[window.name]
+    seen = np.nan_to_num(window.values[:, : told.shape[1]])
+    here = float(((seen - told) ** 2).sum())
+    orders = itertools.permutations(range(told.shape[1]))
+    least, best = min((float(((seen - told[:, order]) ** 2).sum()), order) for order in orders)
+    if least < PLAINLY * here and here > 0.0:
+        raise InputError(
+            f"{problem.impact.name}: {window.name}: its columns look like those of arms "
+            f"{', '.join(str(k + 1) for k in best)} of vehicle.arms.directions: give "
+            f"sensors.arm_length.order = {[k + 1 for k in best]}, or "
+            f"{list(range(1, len(best) + 1))} if they are in order"
+        )
+
+
+def result_of(
+    plan: FitPlan,
+    fits: Sequence[ImpactFit],
+    refused: Sequence[str] = (),
+    warnings: Sequence[str] = (),
+) -> FitResult:
+    """What fits of impacts tell together.
+
+    Args:
+        plan: Of the fit.
+        fits: Of all impacts.
+        refused: Impacts that were not used, with the reason.
+        warnings: What the logs say of their own frames and units.
+    """
     estimates = field_estimates(fits, scatter=plan.scatter == "impact")
     tested = [one for fit_ in fits for one in misfits(fit_)]
-    said = sentences(fits, estimates, tested)
+    said = [*warnings, *sentences(fits, estimates, tested)]
     return FitResult(
         plan, tuple(fits), tuple(estimates), tuple(tested), tuple(said), tuple(refused)
     )  # fmt: skip

@@ -12,7 +12,7 @@ import numpy as np
 from springback.errors import InputError
 from springback.identification.estimates import FieldEstimate
 from springback.identification.fits import FitResult
-from springback.identification.unknowns import FARTHEST
+from springback.identification.unknowns import DIRECTIONS, FARTHEST, INERTIA
 from springback.logs.recording import Array
 from springback.random_streams import Purpose, stream
 from springback.results.parquet import write_parquet
@@ -70,9 +70,14 @@ def write_files(result: FitResult, folder: Path) -> list[Path]:
     """Write the overlay, the posterior and all numbers of a fit; the paths."""
     paths = [folder / name for name in (IDENTIFIED, POSTERIOR, SUMMARY)]
     paths[0].write_text(overlay_text(result), encoding="utf-8")
-    fields = result.estimates
-    columns = dict(zip((one.unknown.name for one in fields), draws(result).T, strict=True))
-    units = {one.unknown.name: one.unknown.unit for one in fields}
+    drawn = zip(result.estimates, draws(result).T, strict=True)
+    # Entries of lists that are known to some uncertainty are left out: campaigns do not draw them.
+    kept = [
+        (one.unknown, column) for one, column in drawn
+        if one.unknown.role == "free" or one.unknown.path[:3] not in (DIRECTIONS, INERTIA)
+    ]  # fmt: skip
+    columns = {unknown.name: column for unknown, column in kept}
+    units = {unknown.name: unknown.unit for unknown, _ in kept}
     about = {"name": result.plan.name, "draws": f"{DRAWS} draws, of a next impact"}
     write_parquet(paths[1], columns, units, about)
     text = json.dumps(as_data(result), indent=1, allow_nan=False)

@@ -22,6 +22,7 @@ USUALLY_KNOWN = {
     "vehicle.body.mass": "+- 0.5 %",
     "vehicle.arms.mass": "+- 5 %",
     "vehicle.arms.directions": "+- 1 deg",
+    "vehicle.body.inertia": "+- 5 %",
 }
 #: The word for a field that is not uncertain.
 EXACT = "exact"
@@ -68,6 +69,9 @@ class MotionCaptureFit(Settings):
 class ArmLengthFit(Settings):
     """Sensors of the arms' lengths."""
 
+    order: tuple[Annotated[int, Field(ge=1, strict=True)], ...] = ()
+    """Arm of each column of the log, counted from 1 as in ``vehicle.arms.directions``; by default
+    the columns are in that order."""
     noise: Annotated[float, Unit("m", above=0.0)] | None = None
 
 
@@ -173,8 +177,9 @@ class FitPlan(Settings):
     known: dict[str, str] = Field(default_factory=dict)
     """Fields that are known to some uncertainty, as ``1.88 kg +- 0.5 %``; ``exact`` for none.
 
-    By default the mass of the body is known to 0.5 %, that of arms to 5 %, and the direction of
-    each arm to 1 degree (``vehicle.arms.directions`` stands for all of them).
+    By default the mass of the body is known to 0.5 %, its moments of inertia to 5 % each, the mass
+    of arms to 5 %, and the direction of each to 1 degree; ``vehicle.arms.directions`` and
+    ``vehicle.body.inertia`` stand for all of theirs.
     """
     sensors: FitSensors = FitSensors()
     clocks: ClockFit = ClockFit()

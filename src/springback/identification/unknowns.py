@@ -27,6 +27,9 @@ Role = Literal["free", "known", "latent"]
 FARTHEST = 6.0
 #: Share of a normal distribution within two deviations: "factor 5" is ln 5 = two deviations.
 TWO_DEVIATIONS = 2.0
+#: Lists of numbers: directions of arms, and moments of inertia, as a matrix.
+DIRECTIONS: Path = ("vehicle", "arms", "directions")
+INERTIA: Path = ("vehicle", "body", "inertia")
 _UNCERTAINTY = re.compile(r"^\s*(?P<centre>.*?)\s*(?:\+-|\+/-|±)\s*(?P<uncertainty>.+?)\s*$")
 _FACTOR = re.compile(r"^\s*(?:(?P<centre>.*\S)\s+)?factor\s+(?P<factor>\S+)\s*$")
 
@@ -80,11 +83,20 @@ def field_unknown(name: str, text: str, role: Role, scenario: Scenario) -> Unkno
     """
     path = tuple(key_path(name))
     found = number_at(name, path, scenario, ()) if path else None
-    if found is None and path[-2:-1] == ("directions",):
-        found = Parameter(name, path, "rad")  # of an arm: a list of any length
+    if path[:-1] == DIRECTIONS:
+        found = Parameter(name, path, "rad")
+    elif path[:3] == INERTIA and len(path) in (4, 5) and len(set(path[3:])) == 1:
+        path = (
+            *INERTIA,
+            path[3],
+            path[3],
+        )  # a principal moment, as the table has it or as a matrix
+        found = Parameter(name, path, "kg m^2")
     if found is None or found.whole:
         raise InputError(f"{name}: is no number that can be fitted")
     current = _current(scenario, path)
+    if current is None and path[:3] in (DIRECTIONS, INERTIA):
+        raise InputError(f"{name}: the vehicle has no such number")
     try:
         centre, deviation, logarithmic = _prior(found, text, current)
     except PydanticCustomError as error:
@@ -164,10 +176,23 @@ def with_values(
     return dict(result)
 
 
-def with_lists(tables: Mapping[str, Any], unknowns: Sequence[Unknown]) -> dict[str, Any]:
-    """Tables in which the lists are written out that some fields are entries of."""
+def with_lists(
+    tables: Mapping[str, Any], unknowns: Sequence[Unknown], scenario: Scenario
+) -> dict[str, Any]:
+    """Tables in which the lists are written out that some fields are entries of.
+
+    Args:
+        tables: Plain tables of the scenario.
+        unknowns: The fields.
+        scenario: The scenario.
+    """
     words = [
         f"{one.name}={float(one.value(0.0))!r}"
-        for one in unknowns if any(isinstance(key, int) for key in one.path)
-    ]  # fmt: skip
-    return apply_overrides(dict(tables), words)
+        for one in unknowns
+        if any(isinstance(key, int) for key in one.path) and one.path[:3] != INERTIA
+    ]
+    found: Any = apply_overrides(dict(tables), words)
+    if any(one.path[:3] == INERTIA for one in unknowns):
+        moments = [list(row) for row in scenario.vehicle.body.inertia]
+        found = with_value(found, INERTIA, moments, "vehicle.body.inertia")
+    return dict(found)

@@ -17,6 +17,8 @@ from springback.logs.recording import ARM_LENGTH, POSITION, SPECIFIC_FORCE
 BOUND_TOGETHER, INHERITED = 0.9, 0.05
 #: Samples in a contact below which they are said to be few (chosen).
 FEW_SAMPLES = 15
+#: Standard deviations of a prior beyond which its field is a surprise (chosen).
+SURPRISING = 4.0
 #: Change that one impact alone makes, in deviations of the pooled value (chosen).
 WEIGHTY = 2.0
 
@@ -50,6 +52,7 @@ def sentences(
     return [
         *_misfit_sentences(tested),
         *_search_sentences(fits),
+        *_far_from_priors(estimates),
         *(text for one in estimates if one.unknown.role == "free"
           for text in _not_learned(one, fits)),
         *_bound_together(fits, estimates),
@@ -88,6 +91,18 @@ def _search_sentences(fits: Sequence[ImpactFit]) -> list[str]:
         f"only 1 of {fit.starts} starts ended at this optimum of {fit.name}: give more starts"
         for fit in fits if fit.starts > 1 and fit.agreeing == 1
     ]  # fmt: skip
+
+
+def _far_from_priors(estimates: Sequence[FieldEstimate]) -> list[str]:
+    found = []
+    for one in estimates:
+        far = abs(one.unknown.coordinate(one.value))
+        if far > SURPRISING:
+            found.append(
+                f"{one.unknown.name} is {far:.1f} standard deviations of its prior away from it: "
+                "scenario, frames, order of arms or units may be wrong"
+            )
+    return found
 
 
 def _not_learned(one: FieldEstimate, fits: Sequence[ImpactFit]) -> list[str]:

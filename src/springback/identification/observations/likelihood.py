@@ -42,7 +42,7 @@ from springback.logs.recording import (
     VELOCITY,
     Array,
 )
-from springback.scenario.scenario import Scenario
+from springback.scenario.scenario import Scenario, scenario_from
 from springback.sensing.hall import HallSensors, slope
 
 #: Scale of Student's t at which normal noise of deviation 1 has equal score variance and
@@ -77,7 +77,7 @@ class ImpactProblem:
             impact: Readings.
         """
         self.plan, self.scenario, self.impact = plan, scenario, impact
-        self.tables = with_lists(open_loop(tables, impact), fields)
+        self.tables = with_lists(open_loop(tables, impact), fields, scenario)
         self.slider = scenario.model.slider
         self.readings = [
             one for one in impact.readings
@@ -175,6 +175,14 @@ class ImpactProblem:
             "velocity": (start.velocity + speed * axis).tolist(),
         }
         return tables
+
+    def refusal(self, u: Array) -> str:
+        """Why a flight cannot be flown; empty if it can."""
+        try:
+            scenario_from(self.flight_tables(u), False, advises=False).build(advises=False)
+        except InputError as error:
+            return "; ".join(error.problems)
+        return ""
 
     # -- residuals --------------------------------------------------------------------------------
 

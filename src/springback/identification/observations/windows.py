@@ -23,6 +23,7 @@ from springback.logs.recording import (
     POSITION,
     SPECIFIC_FORCE,
     VELOCITY,
+    Array,
     LogChannel,
     Recording,
     SensorChain,
@@ -178,7 +179,9 @@ def _tracks(
     estimated: bool,
 ) -> tuple[list[_Found], float]:
     """Measured positions and attitudes of the body, with the uncertainty of their clock [s]."""
-    for recording in recordings:
+    home = inertial[0].recording if inertial else None
+    # The motion capture's own file rather than what a link brought on board.
+    for recording in sorted(recordings, key=lambda one: one is home):
         for position in recording.of(POSITION):
             if position.chain.estimated != estimated:
                 continue
@@ -253,6 +256,7 @@ def _reading(
         values = continuous(values)
     if quantity == ARM_LENGTH:
         values = values - np.nanmedian(values[before], axis=0) if before.any() else values
+        values = _by_arm(values, plan.sensors.arm_length.order)
     given = _given_noise(plan, quantity)
     if given is not None:
         noise = white_noise(given, 3 if quantity == ATTITUDE else values.shape[1])
@@ -272,6 +276,22 @@ def _reading(
     other = not (one.recording is home.recording and channel.clock == home.channel.clock)
     chain = _with_range(channel)
     return ChannelWindow(quantity, channel.name, at, values[inside], noise, starts, chain, other)
+
+
+def _by_arm(values: Array, order: tuple[int, ...]) -> Array:
+    """Columns in the order of the arms.
+
+    Raises:
+        InputError: If the order does not name each column once.
+    """
+    if not order:
+        return values
+    if sorted(order) != list(range(1, values.shape[1] + 1)):
+        raise InputError(
+            f"sensors.arm_length.order: must name each of 1 to {values.shape[1]} once (got "
+            f"{list(order)})"
+        )
+    return values[:, np.argsort(order)]
 
 
 def _with_range(channel: LogChannel) -> SensorChain:

@@ -10,7 +10,7 @@ import scipy  # submodules are loaded on first use
 
 from springback.errors import InputError
 from springback.identification.observations.likelihood import ImpactProblem
-from springback.identification.solving.least_squares import jacobians, solve
+from springback.identification.solving.least_squares import DIFFERENCE, jacobians, solve
 from springback.identification.solving.profiles import PROFILE_RISE, Profile, profile_likelihoods
 from springback.identification.unknowns import FARTHEST
 from springback.logs.recording import Array
@@ -69,6 +69,7 @@ def fit_impact(
         sobol = scipy.stats.qmc.Sobol(int(free.sum()), seed=seed)
         spread = SPREAD * (2.0 * sobol.random(1 << (starts - 1).bit_length()) - 1.0)
         first[1:, free] = spread[: starts - 1]
+    _refuse_unflyable(problem, first[0])
     rough = solve(problem, first, farthest=FARTHEST)
     if not np.isfinite(rough.costs).any():
         raise InputError(
@@ -84,7 +85,7 @@ def fit_impact(
     agreeing = int((rough.costs < least + max(SAME, 1e-3 * least)).sum())
     found: dict[str, Profile] = {}
     for _ in range(3):
-        _, [slopes] = jacobians(problem, point[None], np.ones(len(free), dtype=bool))
+        slopes = _refuse_unflyable(problem, point)
         covariance = _inverse(slopes)
         if not profiles:
             break
@@ -97,6 +98,28 @@ def fit_impact(
     return ImpactFit(
         problem, point, cost, slopes, covariance, found, agreeing, starts, seconds
     )  # fmt: skip
+
+
+def _refuse_unflyable(problem: ImpactProblem, point: Array) -> Array:
+    """Derivatives at a point, shape (rows, unknowns).
+
+    Raises:
+        InputError: If a flight with another number of one unknown cannot be flown, with the reason.
+    """
+    _, [slopes] = jacobians(problem, point[None], np.ones(len(point), dtype=bool))
+    bad = np.flatnonzero(~np.isfinite(slopes).all(axis=0))
+    if len(bad):
+        other = point.copy()
+        why = problem.refusal(point)
+        for side in (DIFFERENCE, -DIFFERENCE):
+            other[bad[0]] = point[bad[0]] + side
+            why = why or problem.refusal(other)
+        name = problem.unknowns[int(bad[0])].name
+        raise InputError(
+            f"{problem.impact.name}: the scenario cannot be flown from the logged start with other "
+            f"values of {name}: {why or 'it diverges'}; check obstacle, frames and units"
+        )
+    return np.asarray(slopes)
 
 
 def _inverse(slopes: Array) -> Array:

@@ -21,10 +21,10 @@ from springback.identification.solving.profiles import PROFILE_RISE
 from springback.interfaces.figures.fits.likelihood import (
     correlations_figure,
     profiles_figure,
-    short_names,
     values_figure,
 )
 from springback.interfaces.figures.fits.readings import impact_figure
+from springback.interfaces.output.field_names import short_names
 from springback.interfaces.reports.fit_tables import (
     assumption_rows,
     channel_rows,

@@ -168,22 +168,21 @@ def plan_tests(plan: Path, overrides: tuple[str, ...], terminal: Terminal) -> No
 
 
 def experiments_text(found: ExperimentPlan) -> str:
-    """ExperimentPlan on the terminal: half widths of 95 % intervals."""
+    """Tests that tell most, on the terminal: half widths of 95 % intervals."""
     from springback.identification.design.experiments import width_text
+    from springback.interfaces.output.field_names import short_names
 
     def row(name: str, widths: tuple[float, ...]) -> list[str]:
         return [name, *(width_text(f, w) for f, w in zip(found.fields, widths, strict=True))]
 
-    rows = [
-        ["half widths", *(one.name for one in found.fields)],
-        row("now", found.before),
-    ]
-    rows += [row(f"with {name}", widths) for name, widths in found.alone]
+    rows = [["half widths", *short_names([one.name for one in found.fields])]]
+    rows += [row("now", found.before), *(row(f"with {a}", widths) for a, widths in found.alone)]
     rows += [row(f"{k}. {one.name}", one.half_widths)
              for k, one in enumerate(found.chosen, start=1)]  # fmt: skip
-    width = max(len(one[0]) for one in rows)
-    lines = [found.sentence, "", f"{'':{width}}  " + ", ".join(rows[0][1:])]
-    lines += [f"{one[0]:{width}}  " + "  ".join(f"{cell:>9}" for cell in one[1:])
-              for one in rows[1:]]  # fmt: skip
+    sizes = [max(len(one[k]) for one in rows) for k in range(len(rows[0]))]
+    lines = [found.sentence, ""]
+    for name, *cells in rows:
+        aligned = (f"{cell:>{size}}" for cell, size in zip(cells, sizes[1:], strict=True))
+        lines.append("  ".join([f"{name:{sizes[0]}}", *aligned]))
     lines += [f"cannot be flown: {name}: {why}" for name, why in found.refused]
     return "\n".join(lines)

@@ -18,6 +18,7 @@ from springback.identification.solving.profiles import PROFILE_RISE
 from springback.interfaces.figures.chart import Chart
 from springback.interfaces.figures.fits.readings import WIDTH
 from springback.interfaces.figures.style import LOOKS, StyledFigure, in_style
+from springback.interfaces.output.field_names import short_names
 from springback.interfaces.output.quantities import display_unit
 from springback.interfaces.output.robots import BLUE, GREY, INK
 from springback.logs.recording import Array
@@ -32,15 +33,6 @@ MOST_NAMED = 6
 SIGNED = LinearSegmentedColormap.from_list("signed", ["#2166AC", "#F7F7F7", "#B2182B"])
 #: Magnitude from which letters are white.
 _DARK = 0.6
-
-
-def short_names(names: Sequence[str]) -> list[str]:
-    """Names without what precedes their last two words, where they remain distinct."""
-    found = [".".join(name.split(".")[-2:]) for name in names]
-    return [
-        short if found.count(short) == 1 else name
-        for short, name in zip(found, names, strict=True)
-    ]  # fmt: skip
 
 
 @in_style
