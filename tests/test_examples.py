@@ -27,6 +27,7 @@ from builders.plans import PITCH, SPEED, SURFACE, WALL
 from builders.typed_lines import Typed, typed
 from springback.campaign.design.plan import Plan, read_plan
 from springback.campaign.running import run_campaign
+from springback.identification.settings import FitPlan
 from springback.interfaces.cli.app import cli
 from springback.logs.reading import read_recording
 from springback.vehicle.materials import MATERIALS
@@ -221,8 +222,12 @@ class Reader:
             plan.write_text(f"{this.text}\n{plan.read_text()}" if more else this.text)
             read_plan(plan)
             return
+        tables = tomllib.loads(this.text)
+        if tables.keys() & {"free", "known"} or "accelerometer" in tables.get("sensors", {}):
+            FitPlan.model_validate({"scenario": "a.toml", "free": {"start.roll": "+- 1 deg"}} | tables)
+            return
         if re.search(
-            r"^pilots =", this.text, re.M
+            r"^(pilots|posterior|overlay) =|^\[posterior", this.text, re.M
         ):  # of the reader's own; they are not on the page
             assert tomllib.loads(this.text).keys() <= Plan.model_fields.keys()
             return

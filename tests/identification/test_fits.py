@@ -175,7 +175,7 @@ def test_the_example_tells_the_numbers_that_its_log_was_made_with() -> None:
     plan = read_fit_plan(EXAMPLES / "fit.toml", ["starts=2"])
     found = fit(plan, EXAMPLES)
     true = TRUE | {"world.obstacles.0.surface.friction": 0.8}
-    assert len(found.estimates) == 5 + 2 + 4  # free, masses, directions
+    assert len(found.estimates) == 5 + 2 + 4 + 3  # free, masses, directions, moments
     for one in found.estimates:
         if one.unknown.role == "free":
             assert one.low <= true[one.unknown.name] <= one.high

@@ -24,7 +24,7 @@ from springback.interfaces.figures.fits.likelihood import (
     values_figure,
 )
 from springback.interfaces.figures.fits.readings import impact_figure
-from springback.interfaces.output.field_names import short_names
+from springback.interfaces.output.field_labels import short_names
 from springback.interfaces.reports.fit_tables import (
     assumption_rows,
     channel_rows,

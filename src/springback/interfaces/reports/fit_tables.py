@@ -13,7 +13,7 @@ from springback.identification.misfit import ChannelMisfit
 from springback.identification.report.assumptions import MATTERS, Assumption
 from springback.identification.solving.fitting import ImpactFit
 from springback.identification.unknowns import Unknown
-from springback.interfaces.output.field_names import short_names
+from springback.interfaces.output.field_labels import short_names
 from springback.interfaces.output.quantities import (
     decimals,
     display_unit,

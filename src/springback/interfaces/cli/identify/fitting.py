@@ -170,7 +170,7 @@ def plan_tests(plan: Path, overrides: tuple[str, ...], terminal: Terminal) -> No
 def experiments_text(found: ExperimentPlan) -> str:
     """Tests that tell most, on the terminal: half widths of 95 % intervals."""
     from springback.identification.design.experiments import width_text
-    from springback.interfaces.output.field_names import short_names
+    from springback.interfaces.output.field_labels import short_names
 
     def row(name: str, widths: tuple[float, ...]) -> list[str]:
         return [name, *(width_text(f, w) for f, w in zip(found.fields, widths, strict=True))]

@@ -18,7 +18,7 @@ from springback.identification.solving.profiles import PROFILE_RISE
 from springback.interfaces.figures.chart import Chart
 from springback.interfaces.figures.fits.readings import WIDTH
 from springback.interfaces.figures.style import LOOKS, StyledFigure, in_style
-from springback.interfaces.output.field_names import short_names
+from springback.interfaces.output.field_labels import short_names
 from springback.interfaces.output.quantities import display_unit
 from springback.interfaces.output.robots import BLUE, GREY, INK
 from springback.logs.recording import Array
