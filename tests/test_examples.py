@@ -224,7 +224,9 @@ class Reader:
             return
         tables = tomllib.loads(this.text)
         if tables.keys() & {"free", "known"} or "accelerometer" in tables.get("sensors", {}):
-            FitPlan.model_validate({"scenario": "a.toml", "free": {"start.roll": "+- 1 deg"}} | tables)
+            FitPlan.model_validate(
+                {"scenario": "a.toml", "free": {"start.roll": "+- 1 deg"}} | tables
+            )
             return
         if re.search(
             r"^(pilots|posterior|overlay) =|^\[posterior", this.text, re.M
