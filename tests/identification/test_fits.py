@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
 from identification.rigs import (
     DAMPER,
@@ -18,6 +19,7 @@ from identification.rigs import (
     recorded,
     rig,
 )
+from springback.errors import InputError
 from springback.identification.design.coverage import coverage_of, fitted_set
 from springback.identification.fits import FitResult, fields_of_plan, fit, result_of
 from springback.identification.results_files import (
@@ -182,6 +184,39 @@ def test_the_example_tells_the_numbers_that_its_log_was_made_with() -> None:
             assert one.high / one.low < 1.1
 
 
+def test_an_order_of_arms_that_is_plainly_wrong_is_refused_with_the_right_one(
+    tmp_path: Path,
+) -> None:
+    for name in ("fit.toml", "arq_wall.toml", "impact_log.toml", "impact_log.csv"):
+        (tmp_path / name).write_bytes((EXAMPLES / name).read_bytes())
+    mapping = (tmp_path / "impact_log.toml").read_text()
+    names = [f'"arm_lengths.{j}"' for j in (1, 2, 3, 4)]
+    turned = mapping.replace(", ".join(names), ", ".join([*names[1:], names[0]]))
+    assert turned != mapping
+    (tmp_path / "impact_log.toml").write_text(turned)
+    with pytest.raises(InputError, match=r"order = \[2, 3, 4, 1\]"):
+        fit(read_fit_plan(tmp_path / "fit.toml"), tmp_path)
+
+
+def test_a_plan_is_checked_before_it_is_fitted() -> None:
+    done = CliRunner().invoke(cli, ["check", str(EXAMPLES / "fit.toml"), "--json"])
+    told = json.loads(done.output)
+    assert len(told["impacts"]) == 1
+    assert told["fields"]["vehicle.body.inertia.2"] == "known, +- 5 %"
+    assert told["fields"][SPRING] == "free, factor 3"
+
+
+def test_what_follows_from_parts_is_not_uncertain_by_itself() -> None:
+    tables = rig()
+    box = {"type": "box", "mass": "1 kg", "size": [0.2, 0.2, 0.1]}
+    tables["vehicle"]["body"] = {"parts": [box]}
+    plan = FitPlan.model_validate({"scenario": "rig.toml", "free": QUAD})
+    names = [one.name for one in fields_of_plan(plan, scenario_from(tables))]
+    assert names == [STIFFNESS, LOSS, *(
+        f"vehicle.arms.directions.{j}" for j in range(4)
+    )]  # fmt: skip
+
+
 @pytest.mark.parametrize(
     ("change", "said"),
     [
@@ -199,8 +234,6 @@ def test_the_example_tells_the_numbers_that_its_log_was_made_with() -> None:
 def test_a_wrong_plan_is_refused_in_one_line(
     tmp_path: Path, change: dict, said: str, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    from click.testing import CliRunner
-
     base = {"scenario": "arq_wall.toml", "logs": ["impact_log.toml"], "free": {SPRING: "factor 2"}}
     given = {key: value for key, value in (base | change).items() if value is not None}
     for name in ("arq_wall.toml", "impact_log.toml", "impact_log.csv"):
@@ -209,8 +242,6 @@ def test_a_wrong_plan_is_refused_in_one_line(
     for key, value in given.items():
         lines.append(f"{key} = {_toml(value)}")
     (tmp_path / "fit.toml").write_text("\n".join(lines))
-    from springback.errors import InputError
-
     words = ["identify", "fit", str(tmp_path / "fit.toml"), "--out", str(tmp_path / "out")]
     done = CliRunner().invoke(cli, words)
     assert isinstance(done.exception, InputError)

@@ -48,6 +48,7 @@ def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
     \b
     springback check scenario.toml vehicle.arms.stiffness="2 N/mm"
     springback check plan.toml
+    springback check fit.toml
     springback check my_pilot.py:hover
     springback check my_obstacle.py:Pole x=2.75 y=0 radius=0.05
     springback check my_detector.py:jolt threshold=25
@@ -59,12 +60,36 @@ def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
         _check_code(file, more, terminal)
         return
     tables = toml_tables(source_text(Path(file)), file)
-    if "scenario" in tables or "method" in tables:
+    if "free" in tables:
+        _check_fit(Path(file), more, terminal)
+    elif "scenario" in tables or "method" in tables:
         _check_plan(Path(file), more, terminal)
     elif has_vehicle_only(tables):
         _check_vehicle(Path(file), more, terminal)
     else:
         _check_scenario(Path(file), more, terminal)
+
+
+# -- fits ----------------------------------------------------------------------------------------
+
+
+def _check_fit(path: Path, overrides: Sequence[str], terminal: Terminal) -> None:
+    """Check a plan of a fit: its fields, its logs, and the impacts in them."""
+    from springback.identification.fits import base_scenario, fields_of_plan, read_flights
+    from springback.identification.settings import read_fit_plan
+
+    plan = read_fit_plan(path, overrides)
+    fields = fields_of_plan(plan, base_scenario(plan, path.parent)[0])
+    flights = read_flights(plan, path.parent) if plan.flights else []
+    impacts = [window.name for flight in flights for window in flight.impacts]
+    said = [text for flight in flights for text in (*flight.warnings, *flight.refused)]
+    data = {
+        "fields": {one.name: f"{one.role}, {one.uncertainty}" for one in fields},
+        "impacts": impacts, "warnings": said,
+    }  # fmt: skip
+    lines = [f"{one.name}: {one.role}, {one.uncertainty}" for one in fields]
+    lines += [f"impact: {name}" for name in impacts] or ["no logs yet"]
+    terminal.print(data, "\n".join([*lines, *(f"warning: {text}" for text in said)]))
 
 
 # -- scenarios and plans --------------------------------------------------------------------------
