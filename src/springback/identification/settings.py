@@ -41,6 +41,7 @@ class AccelerometerFit(InertialChannel):
     """Accelerometer."""
 
     full_scale: Annotated[float, Unit("m/s^2", above=0.0)] | None = None
+    """End of its range; by default as the log or the scenario has it."""
     noise: Annotated[float, Unit("m/s^2", above=0.0)] | None = None
     """Standard deviation of a sample, if white; by default estimated before touch."""
     bias: Annotated[float, Unit("m/s^2", above=0.0)] = 0.2
@@ -51,15 +52,20 @@ class GyroscopeFit(InertialChannel):
     """Gyroscope."""
 
     full_scale: Annotated[float, Unit("rad/s", above=0.0)] | None = None
+    """End of its range; by default as the log or the scenario has it."""
     noise: Annotated[float, Unit("rad/s", above=0.0)] | None = None
+    """Standard deviation of a sample, if white; by default estimated before touch."""
     bias: Annotated[float, Unit("rad/s", above=0.0)] = 0.02
+    """Standard deviation of each axis (chosen)."""
 
 
 class MotionCaptureFit(Settings):
     """Motion capture."""
 
     noise: Annotated[float, Unit("m", above=0.0)] | None = None
+    """Standard deviation of each axis of a position; by default estimated before touch."""
     attitude_noise: Annotated[float, Unit("rad", above=0.0)] | None = None
+    """The same of a small rotation vector."""
     smoothing: Rate | None = None
     """Corner of the program's zero-phase Butterworth filter of second order each way."""
     offset: Annotated[float, Unit("m", above=0.0)] = 0.02
@@ -73,15 +79,20 @@ class ArmLengthFit(Settings):
     """Arm of each column of the log, counted from 1 as in ``vehicle.arms.directions``; by default
     the columns are in that order."""
     noise: Annotated[float, Unit("m", above=0.0)] | None = None
+    """Standard deviation of a sample; by default as the scenario's Hall sensors have it."""
 
 
 class FitSensors(Settings):
     """What stands between the motion and the logs, beyond what these tell."""
 
     accelerometer: AccelerometerFit = AccelerometerFit()
+    """The one with the fastest samples."""
     gyroscope: GyroscopeFit = GyroscopeFit()
+    """The one beside it."""
     motion_capture: MotionCaptureFit = MotionCaptureFit()
+    """Positions and attitudes of the body, in a file of their own if there is one."""
     arm_length: ArmLengthFit = ArmLengthFit()
+    """Lengths of the arms, as changes from before touch."""
     place: tuple[Any, Any, Any] | None = None
     """Of the inertial unit from the main body's centre of mass, body axes; by default that of
     ``sensors.imu.offset`` of the scenario."""
@@ -102,12 +113,16 @@ class ClockFit(Settings):
 
 
 class StartFit(Settings):
-    """Doubt of the state before touch about what the log's tracks tell."""
+    """Uncertainty of the state at the start of the window about what the log's tracks tell."""
 
     position: Annotated[float, Unit("m", above=0.0)] = 0.02
+    """Standard deviation of each axis (chosen); three times as much without a track, all four."""
     velocity: Annotated[float, Unit("m/s", above=0.0)] = 0.2
+    """Standard deviation of each axis (chosen)."""
     attitude: Annotated[float, Unit("rad", above=0.0)] = 0.06
+    """Standard deviation of each component of a small rotation vector (chosen)."""
     angular_velocity: Annotated[float, Unit("rad/s", above=0.0)] = 0.5
+    """Standard deviation of each axis (chosen)."""
 
 
 class WindowFit(Settings):
@@ -131,6 +146,7 @@ class LoggedFlight(Settings):
     first: Annotated[float, Unit("s")] | None = None
     """First instant that is read."""
     last: Annotated[float, Unit("s")] | None = None
+    """Last instant that is read."""
     at: tuple[Annotated[float, Unit("s")], ...] = ()
     """Instants of the touches to be fitted, to 50 ms; by default all that are found."""
     change: tuple[str, ...] = ()
@@ -152,10 +168,13 @@ class CandidateSettings(Settings):
     """Tests among which `springback identify plan` chooses: all of these combined, and others."""
 
     speeds: tuple[Annotated[float, Unit("m/s", above=0.0)], ...] = (1.0, 2.0, 3.5)
+    """At touch, along the scenario's ``start.velocity``."""
     pitches: tuple[Annotated[float, Unit("rad")], ...] = (0.0, 0.2617993877991494)
     """Of the start, nose down; none on a slider."""
     yaws: tuple[Annotated[float, Unit("rad")], ...] = (0.0, 0.7853981633974483)
+    """Of the start; none on a slider."""
     others: tuple[OtherExperiment, ...] = ()
+    """Further tests, by overrides of the scenario."""
     sensors: tuple[SensorName, ...] = ("imu", "motion-capture")
     """Those that record, as the scenario's ``sensors`` are."""
     count: Annotated[int, Field(ge=1, le=20, strict=True)] = 3
@@ -169,6 +188,7 @@ class FitPlan(Settings):
     scenario: str
     """Path of the scenario: vehicle, obstacle hit, sensors; its start is where logs tell none."""
     flights: tuple[LoggedFlight, ...] = ()
+    """Recorded flights; ``logs`` in their place are those of a single one."""
     experiment: Literal["flight", "drop"] = "flight"
     """``drop``: impacts from above count, which are landings in a flight."""
     free: dict[str, str]
@@ -182,17 +202,23 @@ class FitPlan(Settings):
     ``vehicle.body.inertia`` stand for all of theirs.
     """
     sensors: FitSensors = FitSensors()
+    """What the sensors do to the motion, where the logs do not tell."""
     clocks: ClockFit = ClockFit()
+    """Clocks of devices besides the inertial unit."""
     start: StartFit = StartFit()
+    """Uncertainty of the state before touch."""
     thrust: Annotated[float, Unit("", above=0.0)] = 0.05
     """Standard deviation of the factor of all thrusts (chosen)."""
     window: WindowFit = WindowFit()
+    """Part of the logs that is fitted."""
     candidates: CandidateSettings = CandidateSettings()
+    """Tests that could be flown next."""
     scatter: Literal["impact", "none"] = "impact"
     """``impact``: what is fitted may differ from impact to impact; ``none``: it may not."""
     starts: Annotated[int, Field(ge=1, le=64, strict=True)] = 8
     """Starts of the search, of a Sobol' sequence."""
     seed: Annotated[int, Field(ge=0, strict=True)] = 0
+    """Of the scrambling of the starts, and of draws of the posterior."""
 
     @model_validator(mode="before")
     @classmethod
