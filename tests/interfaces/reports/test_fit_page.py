@@ -12,6 +12,7 @@ from builders.cases import nonempty
 from builders.rigs import rig_fit
 from interfaces.browsing import browser, complaints, needs_browser, requests, resized
 from interfaces.legible import complaints as illegible
+from springback.identification.design.experiments import ChosenExperiment, ExperimentPlan
 from springback.identification.estimates import correlations
 from springback.identification.fits import FitResult
 from springback.identification.report.profiles import profile_curves
@@ -73,12 +74,16 @@ def test_it_is_one_light_page_that_asks_for_nothing(page: str) -> None:
 
 
 def test_several_impacts_are_compared_and_left_out_in_turn(several: FitResult) -> None:
-    text = re.sub(r"<[^>]+>", "", fit_page(several, chosen_plan=("Fly the wall at 3 m/s.",)))
+    free = tuple(one.unknown for one in several.estimates if one.unknown.role == "free")
+    best = ChosenExperiment("3 m/s, one arm", (0.1,) * len(free), 2.0)
+    further = ExperimentPlan(free, (1.0,) * len(free), (), (best,), ())
+    text = re.sub(r"<[^>]+>", "", fit_page(several, further))
     assert "rig: what 3 impacts told" in text
     assert "arms.stiffness, without it" in text
     assert text.count("Impact 2:") >= 1
     assert "triangles are at the end of the sensor" in text  # at 2.5 m/s
-    assert text.index("What to measure next", 5000) < text.index("Fly the wall at 3 m/s.")
+    assert text.index("What to measure next", 5000) < text.index("next best: 3 m/s, one arm")
+    assert text.count("± 10 %") >= len(free)
 
 
 def test_what_does_not_fit_is_said_before_the_values(alone: FitResult) -> None:
