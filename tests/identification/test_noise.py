@@ -61,3 +61,11 @@ def test_few_samples_are_not_alone_once_residuals_of_a_fit_are_there() -> None:
     better = noise.with_residuals(white)
     assert better.innovation.mean() == pytest.approx(1.0, rel=0.1)
     assert better.freedom == noise.freedom + white.size
+
+
+def test_lines_of_rotors_are_not_predicted_to_nothing() -> None:
+    t = np.arange(500) * 1e-3
+    lines = 3.0 * np.sin(2.0 * np.pi * np.outer(t, [90.0, 97.0, 101.0]))
+    noise = estimated_noise(t, lines + 0.01 * RNG.standard_normal((500, 3)), 5e-3)
+    assert (noise.innovation > 0.09 * noise.stationary).all()
+    np.testing.assert_allclose(noise.stationary, 3.0 / np.sqrt(2.0), rtol=0.1)

@@ -15,6 +15,9 @@ FEWEST = 20
 #: Median deviation of normal noise over its standard deviation, and deviations beyond which a
 #: sample before touch is not noise (chosen: one of a million is).
 MEDIAN, WILD = 0.6745, 5.0
+#: Least share of the variance that is not predicted by the samples before (chosen: a tenth of the
+#: deviation; what is predicted better hangs on the rotors, which an impact disturbs).
+LEAST_SHARE = 0.01
 #: Degrees of freedom of Student's t for motion capture, whose markers are swapped at times
 #: (chosen; field's usual for robust regression: Lange, Little and Taylor, JASA 84, 1989).
 STUDENT = 4.0
@@ -107,6 +110,8 @@ def estimated_noise(times: Array, values: Array, floor: float) -> ChannelNoise:
     samples = scaled.size
     for order in range(1, HIGHEST_ORDER + 1):
         phi, share = _yule_walker(scaled, order)
+        if share < LEAST_SHARE:  # lines of rotors: not to be trusted to go on through a contact
+            break
         score = samples * np.log(max(share, 1e-12)) + order * np.log(samples)
         if score < least:
             best, least = (phi, share), score
