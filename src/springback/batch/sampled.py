@@ -135,10 +135,11 @@ def _fly_part(
     thrust, ramp = row_of(shape.model, "thrust"), row_of(shape.model, "ramp")
     motion, count = where.motion, rows(shape.motion.state)
     factor = scale[first:last]
-    constant = thrusts is None
-    if constant:
+    given: Array | None = None
+    if thrusts is None:
         lanes[:, thrust : thrust + len(laid.model.thrust)] *= factor[:, None]
-    given = None if constant else thrusts.at(at)  # type: ignore[union-attr]
+    else:
+        given = thrusts.at(at)
     for k, time in enumerate(at):
         if time > 0.0:
             lanes[:, until] = time
