@@ -240,7 +240,7 @@ def hulled(name: str) -> dict[str, Any]:
 
 #: Meetings in which contacts of a hull join or part in the midst of a step, so that its work is not
 #: all booked, and by how much; such flights warn (docs/howto/hulls.md).
-OPEN = {("points", "ring"): 5e-2, ("capsule", "box"): 3e-3}
+OPEN = {("capsule", "box"): 3e-3}
 
 
 @pytest.mark.parametrize("its", [name for name in HULLS if name != "points"])
