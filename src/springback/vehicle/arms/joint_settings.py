@@ -67,13 +67,16 @@ def _points(way: str, force: str) -> Any:
 Points = tuple[tuple[float, float], ...]
 
 
-class _JointSettings(Settings):
+class _WaySettings(Settings):
     """What slides and hinges have in common."""
 
-    rotors: Literal["arm", "body"] = "arm"
-    """Whether the axis of a rotor turns with its arm, or remains that of the body."""
     one_sided: bool = False
     """True: the spring acts only while the arm is pressed in, not beyond its free length."""
+
+    @property
+    def follows(self) -> float:
+        """1 if the axis of a rotor turns with the arm, else 0."""
+        return 1.0
 
     def spring(self, radius: float, j: int) -> JointSpring:
         """Numbers of the spring of arm ``j``, from 0, along the path of its end.
@@ -113,7 +116,9 @@ class _JointSettings(Settings):
     @property
     def differs(self) -> bool:
         """True if a number or a vector is given for each arm."""
-        return any(self._is_for_each(name) for name in type(self).model_fields)
+        given: Any = getattr(self, "second", None)
+        own = any(self._is_for_each(name) for name in type(self).model_fields)
+        return own or (given is not None and given.differs)
 
     def _at(self, name: str, j: int) -> float:
         value = getattr(self, name)
@@ -259,7 +264,7 @@ class HingeLatch(Settings):
         return self.torque
 
 
-class SlideSettings(_JointSettings):
+class SlideWay(_WaySettings):
     """A slide in any direction."""
 
     way: ClassVar[str] = "m"
@@ -293,10 +298,10 @@ class SlideSettings(_JointSettings):
         if norm(towards) < SHORTEST:
             raise problem("must be of some length", "direction")
         along = towards * (-1.0 / norm(towards))
-        return Joint(end, along, _normal_to(along), 0.0, 1.0 if self.rotors == "arm" else 0.0)
+        return Joint(end, along, _normal_to(along), 0.0, self.follows)
 
 
-class HingeSettings(_JointSettings):
+class HingeWay(_WaySettings):
     """A hinge about any axis."""
 
     way: ClassVar[str] = "rad"
@@ -321,7 +326,7 @@ class HingeSettings(_JointSettings):
     """What holds the arm stiffly at its free position until a torque opens it."""
 
     def path(self, end: Vec, axes: tuple[Vec, Vec, Vec], j: int) -> Joint:
-        """Path of the end of arm ``j``; arguments as for `SlideSettings.path`."""
+        """Path of the end of arm ``j``; arguments as for `SlideWay.path`."""
         about = _in_body(_of_arm(self.axis, j), axes)
         if norm(about) < SHORTEST:
             raise problem("must be of some length", "axis")
@@ -332,8 +337,41 @@ class HingeSettings(_JointSettings):
         if radius < SHORTEST:
             raise problem(f"must not lie on the end of arm {j + 1}, nor its axis", "position")
         outward = radial * (1.0 / radius)
-        follows = 1.0 if self.rotors == "arm" else 0.0
-        return Joint(end, outward ^ about, -outward, 1.0 / radius, follows)
+        return Joint(end, outward ^ about, -outward, 1.0 / radius, self.follows)
+
+
+class SecondSlide(SlideWay):
+    """A slide that the first joint carries: of an arm that slides along a hinged one, say."""
+
+
+class SecondHinge(HingeWay):
+    """A hinge that the first joint carries: of an arm that bends two ways."""
+
+
+SecondSettings = Annotated[SecondSlide | SecondHinge, Field(discriminator="type")]
+
+
+class _FirstSettings(Settings):
+    """What a joint has that is on the main body."""
+
+    rotors: Literal["arm", "body"] = "arm"
+    """Whether the axis of a rotor turns with its arm, or remains that of the body."""
+    second: SecondSettings | None = None
+    """Another joint that this one carries, with its own spring and travel; its vectors are those
+    of the free arm.  None: the arm moves one way."""
+
+    @property
+    def follows(self) -> float:
+        """1 if the axis of a rotor turns with the arm, else 0."""
+        return 1.0 if self.rotors == "arm" else 0.0
+
+
+class SlideSettings(_FirstSettings, SlideWay):
+    """A slide in any direction."""
+
+
+class HingeSettings(_FirstSettings, HingeWay):
+    """A hinge about any axis."""
 
 
 JointSettings = Annotated[SlideSettings | HingeSettings, Field(discriminator="type")]

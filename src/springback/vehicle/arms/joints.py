@@ -232,6 +232,18 @@ def _speed_on_joint(arm: JointedArm, rate: float) -> float:
     return abs(rate) * (1.0 + arm.joint.curvature * farthest_from_end(arm))
 
 
+def preload_strain(spring: JointSpring, stiffness: float, stop_stiffness: float) -> float:
+    """How far a preload presses an arm into its stop at rest [m].
+
+    Args:
+        spring: Of the arm, with a preload.
+        stiffness: Of it, besides a table [N/m].
+        stop_stiffness: Of the stop [N/m].
+    """
+    pulls = stiffness if spring.both_sides > 0.0 and spring.play == 0.0 else 0.0
+    return float(spring.preload / (stop_stiffness + pulls))
+
+
 class SpringForce(NamedTuple):
     """Force of a spring and the energy in it."""
 
