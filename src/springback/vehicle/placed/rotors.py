@@ -16,7 +16,7 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.trees import field_of, fold, replace, select, tree_map, tree_sum
+from springback.kernels.trees import field_of, fold, one_tuple, replace, select, tree_map, tree_sum
 from springback.kernels.vectors import Mat3, Vec
 from springback.vehicle.arms.bent import (
     BentArm,
@@ -165,9 +165,14 @@ def _no_way(way: SecondWay) -> SecondWay:
 
 
 @kernel
-def _main_body(like: Mount) -> Mount:
+def _no_ways(like: NumberedMount) -> tuple[SecondWay, ...]:
+    return tree_map(_no_way, (like.mount.second,), ())
+
+
+@kernel
+def _main_body(mounts: tuple[NumberedMount, ...]) -> Mount:
     """The main body as a mount of the structure that those of the arms have."""
-    return replace(body_mount(), second=tree_map(_no_way, (like.second,), ()))
+    return replace(body_mount(), second=one_tuple(tree_map(_no_ways, (mounts[:1],), ())))
 
 
 @kernel
@@ -194,7 +199,7 @@ def _if_wanted(so_far: Mount, here: NumberedMount, wanted: float) -> Mount:
 @kernel
 def rotor_pose(rotor: PlacedRotor, mounts: tuple[NumberedMount, ...]) -> RotorPose:
     """Where a rotor is."""
-    mount, q = fold(_if_wanted, _main_body(mounts[0].mount), mounts, (rotor.arm,)), rotor.axes
+    mount, q = fold(_if_wanted, _main_body(mounts), mounts, (rotor.arm,)), rotor.axes
     return RotorPose(mount, mount.turn @ rotor.offset, mount.aim @ Vec(q.x.z, q.y.z, q.z.z))
 
 
