@@ -35,7 +35,8 @@ from springback.dynamics.motion import Rates, rates
 from springback.dynamics.rigid import RigidState, flight_rates, rigid_body
 from springback.dynamics.touches import BodyAcceleration
 from springback.kernels.trees import axpy, leaves
-from springback.kernels.vectors import Mat3, Vec
+from springback.kernels.vectors import Mat3, Vec, rotation
+from springback.simulation.pair.parts import part_accelerations, parts_of
 from springback.vehicle.arms.bent import BentCoordinates
 from springback.vehicle.placed.rotors import PlacedRotor, PlacedRotors
 from springback.vehicle.state import coordinates_of_arms, farthest_of_arm, fastest_of_arm
@@ -211,6 +212,39 @@ def test_locking_keeps_momenta_and_loses_energy(name: str) -> None:
         lost = replace(pose, velocity=pose.velocity - then.velocity, omega=pose.omega - then.omega)
         share = Cloud(craft, lost).kinetic
         assert before.kinetic - left.kinetic == pytest.approx(share, rel=1e-9)
+
+
+# -- as moving obstacles of another vehicle --------------------------------------------------------
+
+
+@pairs
+def test_parts_move_as_the_limbs_do(name: str) -> None:
+    """Place, turn and velocity of what is at the end, and its accelerations by differences."""
+    for seed in range(STATES):
+        craft, pose = drawn(name, seed)
+        model, state = model_of(craft), state_of(craft, pose)
+        now = rates(model, state, 1.0).motion.state
+        parts = parts_of(model.airframe, state)
+        r, omega = pose.rotation, pose.omega
+        for part, limb, c, rate in nonempty(
+            zip(parts, craft.limbs, pose.bends, pose.rates, strict=True)
+        ):
+            lever = limb.place(c)
+            velocity = pose.velocity + r @ (np.cross(omega, lever) + limb.motion(c, rate))
+            turn = np.array(rotation(part.attitude))
+            np.testing.assert_allclose(part.position, pose.position + r @ lever, atol=1e-13)
+            np.testing.assert_allclose(turn, r @ limb.turn(c), atol=1e-13)
+            np.testing.assert_allclose(part.velocity, velocity, atol=1e-12)
+            spin = limb.turn(c).T @ (omega + limb.spin(c, rate))
+            np.testing.assert_allclose(part.angular_velocity, spin, atol=1e-12)
+        found = part_accelerations(model.airframe, state, now)
+        h = 1e-6
+        ahead, behind = (parts_of(model.airframe, axpy(state, now, way)) for way in (h, -h))
+        for one, after, before in zip(found, ahead, behind, strict=True):
+            linear = (np.array(after.velocity) - before.velocity) / (2.0 * h)
+            angular = (np.array(after.angular_velocity) - before.angular_velocity) / (2.0 * h)
+            assert relative_error(np.array(one.linear), linear) < 1e-6
+            assert relative_error(np.array(one.angular), angular) < 1e-6
 
 
 # -- what steps need to know -----------------------------------------------------------------------

@@ -335,6 +335,11 @@ def _series(
         for j, arm in arms
         if arm.compliance > 0.0
     ]
+    found += [
+        Series("Arm compression", f"arm {j}, second joint", "mm", -1e3 * c[f"bend{j}"])
+        for j, arm in arms
+        if arm.compliance > 0.0 and f"bend{j}" in c
+    ]
     for j, _ in arms:
         whole = np.sqrt(c[f"fn{j}"] ** 2 + c[f"ff{j}"] ** 2)
         found.append(Series("Contact force", f"cage {j}", "N", whole))
