@@ -33,6 +33,8 @@ SLOW = (
     "contact/test_rings.py::test_a_flight_into_a_thin_pole_closes_its_ledger",
     "contact/test_rounding.py",
     "dynamics/test_conservation.py::test_impulses_never_add_energy",
+    "dynamics/test_bent_arms.py::test_accelerations_are_those_of_the_lagrangian",
+    "dynamics/test_bent_flights.py",
     "dynamics/test_engines.py",
     "dynamics/test_engines_shapes.py",
     "dynamics/test_joint_flights.py",

@@ -214,7 +214,7 @@ def body_sight(obstacles: Any, state: State, ahead: float) -> BodySight:
 
 
 @generic
-def arm_sight(arm: Any, length: float, rate: float, around: BodySight) -> ArmSight:
+def arm_sight(arm: Any, length: Any, rate: Any, around: BodySight) -> ArmSight:
     """What an arm sees at a length [m] that changes at a rate [m/s]."""
     raise TypeError(f"{type(arm).__name__} is not an arm")
 

@@ -284,7 +284,8 @@ def rates_of_arms(arm: Any, state: State) -> tuple[Any, ...]:
 @generic
 def largest_rate(rate: Any) -> float:
     """Size of the rate of an arm, of both if it has two [m/s]."""
-    return abs(rate)
+    size: float = abs(rate)
+    return size
 
 
 @kernel

@@ -105,7 +105,7 @@ class ArmShare(NamedTuple):
 class ArmPull(NamedTuple):
     """Acceleration of an arm along its slide once a' is known: l̈ = drive − u e·a'."""
 
-    drive: float  # u_j h_j / m_j
+    drive: Any  # u_j h_j / m_j; of two joints both
     hold: float  # u_j
 
 
@@ -311,7 +311,8 @@ def arm_acceleration(arm: Any, length: float, known: ArmState, a: Vec, alpha: Ve
 @arm_acceleration.register(Arm)
 @kernel
 def _along_slide(arm: Arm, length: float, known: ArmState, a: Vec, alpha: Vec) -> float:
-    return known.pull.drive - known.pull.hold * (arm.cosine * a.x + arm.sine * a.y)
+    along: float = known.pull.drive - known.pull.hold * (arm.cosine * a.x + arm.sine * a.y)
+    return along
 
 
 @generic

@@ -244,7 +244,8 @@ def _joint_state(
 def _along_path(arm: JointedArm, length: float, known: ArmState, a: Vec, alpha: Vec) -> float:
     there = joint_pose(arm, length, 0.0)
     e = there.direction
-    return known.pull.drive - known.pull.hold * (e @ a + (there.end ^ e) @ alpha)
+    along: float = known.pull.drive - known.pull.hold * (e @ a + (there.end ^ e) @ alpha)
+    return along
 
 
 @acceleration_at_end.register(JointedArm)

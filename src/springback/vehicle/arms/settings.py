@@ -8,7 +8,7 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, model_validator
 
 from springback.errors import shown_value
-from springback.kernels.tracing import cos, sqrt
+from springback.kernels.tracing import cos, sin, sqrt, traceable
 from springback.kernels.vectors import Vec, norm
 from springback.quantities import PerArm, Unit, si_number
 from springback.settings import Settings, naming, problem
@@ -19,6 +19,7 @@ from springback.vehicle.arms.joint_settings import (
     SecondHinge,
     SecondSlide,
     SlideSettings,
+    length_of,
 )
 from springback.vehicle.arms.joints import (
     STRAIGHT,
@@ -194,13 +195,13 @@ class Arms(Settings):
         count = len(self.directions)
         second.check(count, tuple(self.at("compliant", j) for j in range(count)), self.end_stops)
         for j in range(count):
-            shares = [independence(way) for way in self._both_ways(j)]
-            if min(shares) < LEAST_INDEPENDENCE:
+            share = smallest([independence(way) for way in self._both_ways(j)])
+            if share < LEAST_INDEPENDENCE:
                 raise problem(
                     f"moves the end of arm {j + 1} along itself or hardly another way than the "
                     "first does, somewhere in its travel: the sine of the angle between both, "
                     f"times their lengths, must be at least {LEAST_INDEPENDENCE:g} (it is "
-                    f"{min(shares):.3g})",
+                    f"{share:.3g})",
                     "axis" if isinstance(second, SecondHinge) else "direction",
                 )
 
@@ -215,11 +216,15 @@ class Arms(Settings):
             return []
         path, (low, high) = second
         about = first.curvature * (first.direction ^ first.inward)
-        found = []
-        for k in range(WAYS):
-            at = path_point(path, -(low + (high - low) * k / (WAYS - 1)))
-            along = first.direction + (about ^ (at.end - path.end))
-            found.append((along, at.cosine * path.direction + at.sine * path.inward))
+        found, k = [], path.curvature
+        for place in range(WAYS):
+            way = -(low + (high - low) * place / (WAYS - 1))
+            ahead, aside, turned, across = way, 0.0, 1.0, 0.0
+            if k > STRAIGHT:
+                turned, across = cos(k * way), sin(k * way)
+                ahead, aside = across / k, (1.0 - turned) / k
+            along = first.direction + (about ^ (path.direction * ahead + path.inward * aside))
+            found.append((along, path.direction * turned + path.inward * across))
         return found
 
     def _second_of(self, j: int) -> tuple[Joint, tuple[float, float]] | None:
@@ -271,10 +276,12 @@ class Arms(Settings):
         second = self._second_of(j)
         if second is None or self.joint is None or self.joint.second is None:
             return found
+        shares = []
         for first, along in self._both_ways(j):
             square = first @ first
             determinant = square * (along @ along) - (first @ along) * (first @ along)
-            mass = min(mass, self.at("mass", j) * determinant / (square + along @ along))
+            shares.append(determinant / (square + along @ along))
+        mass = mass * smallest(shares)
         radius, other = radius_of(second[0]), self.joint.second
         more = other.steepest(radius, j), other.damping_of(radius, j), mass
         return [(*found[0][:2], mass), more]
@@ -447,9 +454,15 @@ def radius_of(path: Joint) -> float:
     return 1.0 / path.curvature if path.curvature > STRAIGHT else 1.0
 
 
+@traceable
+def smallest(values: Any) -> float:
+    """The least of several numbers, also of traced ones, whose order may differ."""
+    return float(min(values))
+
+
 def independence(ways: tuple[Vec, Vec]) -> float:
     """Area between two directions of motion, which are of about unit length."""
-    return norm(ways[0] ^ ways[1])
+    return length_of(ways[0] ^ ways[1])
 
 
 def _distance(here: float, there: float, cosine: float) -> float:
