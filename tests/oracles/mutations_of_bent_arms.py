@@ -37,5 +37,5 @@ MUTATIONS_OF_BENT_ARMS = (
     Mutation("two joints, work of a listed rotor", ROTORS, "so_far + way.rate * _along_second", "so_far - way.rate * _along_second", LISTED),
     Mutation("two joints, spin changes its axis", "simulation/pair/parts.py", "(speed.first * speed.second) * (there.about_first", "(-speed.first * speed.second) * (there.about_first", PARTS),
     Mutation("two joints, travel of the second", SETTINGS, "shortest=-high, longest=-low,", "shortest=low, longest=high,", GIVEN),
-    Mutation("two joints, any angle between them", SETTINGS, "min(shares) < LEAST_INDEPENDENCE", "min(shares) < 0.0", GIVEN),
+    Mutation("two joints, any angle between them", SETTINGS, "share < LEAST_INDEPENDENCE", "share < 0.0", GIVEN),
 )  # fmt: skip

@@ -66,7 +66,7 @@ from springback.kernels.vectors import Mat3, Vec, larger, outer
 from springback.vehicle.arms.bent import (
     BentArm,
     BentCoordinates,
-    BentMobility,
+    BentInverse,
     BentPose,
     SecondJoint,
     along_both,
@@ -101,14 +101,14 @@ class BentLoad(NamedTuple):
 
 
 @kernel
-def _quadratic(inverse: BentMobility, first: float, second: float) -> float:
+def _quadratic(inverse: BentInverse, first: float, second: float) -> float:
     """xᵀ G⁻¹ x."""
     own = inverse.xx * first * first + inverse.yy * second * second
     return own + 2.0 * inverse.xy * first * second
 
 
 @kernel
-def _load_of(met: CageContact, turn: Mat3, there: BentPose, inverse: BentMobility) -> BentLoad:
+def _load_of(met: CageContact, turn: Mat3, there: BentPose, inverse: BentInverse) -> BentLoad:
     """One contact, whose point moves by x_k = e_k + κ_k a_k × d for each metre of way k.
 
     The largest eigenvalue of G⁻¹ K, K = k (n·x)(n·x)ᵀ, is k (n·x)ᵀ G⁻¹ (n·x); that of friction

@@ -189,10 +189,7 @@ def _touch(engaged: tuple[float, ...]) -> float:
 
 @kernel
 def _is_unsettled(arm: Any, view: ArmView, rate: Any, timing: Timing) -> float:
-    """1 while a sliding arm is away from its balance, or moves.
-
-    Its balance is its free length only while the vehicle does not turn.
-    """
+    """1 while an arm moves, or is away from its balance: its free length if nothing turns."""
     away = abs(view.unbalance) > resting_stiffness(arm) * timing.arm_tolerance
     moving = largest_rate(rate) > timing.rate_tolerance
     return arm.compliance if away | moving else 0.0
@@ -321,11 +318,9 @@ def situation_of(model: Model, state: State, view: View, m: Record) -> Situation
     hull_touching = tree_map(_touch, (engaged.hull,), ())
     touching = maximum(arm_touching + hull_touching)
 
-    arm_rates = rates_of_arms(model.airframe.arms[0], state)
     # Phases: with arms that are locked or slide, and with short steps or long ones.
-    unsettled = maximum(
-        tree_map(_is_unsettled, (model.airframe.arms, view.arms, arm_rates), (timing,))
-    )
+    arms = (model.airframe.arms, view.arms, rates_of_arms(model.airframe.arms[0], state))
+    unsettled = maximum(tree_map(_is_unsettled, arms, (timing,)))
     still_busy = select(unsettled > 0.0, now.phase, FREE_FLIGHT)
     phase = select(touching > 0.0, IMPACT, still_busy)
     locks = (phase < now.phase) & (timing.hybrid > 0.0)

@@ -170,7 +170,7 @@ def bent_pose(arm: BentArm, length: Any, rate: Any) -> BentPose:
     )  # fmt: skip
 
 
-class BentMobility(NamedTuple):
+class BentInverse(NamedTuple):
     """Inverse of G, the products of e₁ and e₂."""
 
     xx: float
@@ -179,16 +179,16 @@ class BentMobility(NamedTuple):
 
 
 @kernel
-def bent_mobility(there: BentPose) -> BentMobility:
+def bent_mobility(there: BentPose) -> BentInverse:
     """Inverse of the matrix of the products of e₁ and e₂."""
     xx, yy = there.first @ there.first, there.second @ there.second
     xy = there.first @ there.second
     scale = 1.0 / (xx * yy - xy * xy)
-    return BentMobility(yy * scale, xx * scale, -xy * scale)
+    return BentInverse(yy * scale, xx * scale, -xy * scale)
 
 
 @kernel
-def along_both(inverse: BentMobility, first: float, second: float) -> BentCoordinates:
+def along_both(inverse: BentInverse, first: float, second: float) -> BentCoordinates:
     """Product of that inverse with what acts along both paths."""
     return BentCoordinates(
         inverse.xx * first + inverse.xy * second, inverse.xy * first + inverse.yy * second

@@ -268,7 +268,7 @@ class HingeLatch(Settings):
         return self.torque
 
 
-class SlideWay(_WaySettings):
+class SlideJoint(_WaySettings):
     """A slide in any direction."""
 
     way: ClassVar[str] = "m"
@@ -306,7 +306,7 @@ class SlideWay(_WaySettings):
         return Joint(end, along, _normal_to(along), 0.0, self.follows)
 
 
-class HingeWay(_WaySettings):
+class HingeJoint(_WaySettings):
     """A hinge about any axis."""
 
     way: ClassVar[str] = "rad"
@@ -331,7 +331,7 @@ class HingeWay(_WaySettings):
     """What holds the arm stiffly at its free position until a torque opens it."""
 
     def path(self, end: Vec, axes: tuple[Vec, Vec, Vec], j: int) -> Joint:
-        """Path of the end of arm ``j``; arguments as for `SlideWay.path`."""
+        """Path of the end of arm ``j``; arguments as for `SlideJoint.path`."""
         about = _in_body(_of_arm(self.axis, j), axes)
         size = length_of(about)
         if size < SHORTEST:
@@ -346,11 +346,11 @@ class HingeWay(_WaySettings):
         return Joint(end, outward ^ about, -outward, 1.0 / radius, self.follows)
 
 
-class SecondSlide(SlideWay):
+class SecondSlide(SlideJoint):
     """A slide that the first joint carries: of an arm that slides along a hinged one, say."""
 
 
-class SecondHinge(HingeWay):
+class SecondHinge(HingeJoint):
     """A hinge that the first joint carries: of an arm that bends two ways."""
 
 
@@ -372,11 +372,11 @@ class _FirstSettings(Settings):
         return 1.0 if self.rotors == "arm" else 0.0
 
 
-class SlideSettings(_FirstSettings, SlideWay):
+class SlideSettings(_FirstSettings, SlideJoint):
     """A slide in any direction."""
 
 
-class HingeSettings(_FirstSettings, HingeWay):
+class HingeSettings(_FirstSettings, HingeJoint):
     """A hinge about any axis."""
 
 

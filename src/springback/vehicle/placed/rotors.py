@@ -57,10 +57,10 @@ class Mount(NamedTuple):
     direction: Vec  # e; zero for the main body
     bend: Vec  # κ u [1/m]; zero but for a hinge
     rate: float  # l̇ [m/s]
-    second: tuple[SecondWay, ...] = ()  # of an arm on two joints; of all or of none
+    second: tuple[SecondMount, ...] = ()  # of an arm on two joints; of all or of none
 
 
-class SecondWay(NamedTuple):
+class SecondMount(NamedTuple):
     """Second joint of the arm that a rotor is on; body axes."""
 
     direction: Vec  # e₂
@@ -150,7 +150,7 @@ def _on_two_joints(arm: BentArm, length: Any, rate: Any) -> Mount:
     aim = select(arm.joint.follows > 0.0, there.turn, body_mount().turn)
     to_first = along_both(bent_mobility(there), 1.0, 0.0)
     to_second = along_both(bent_mobility(there), 0.0, 1.0)
-    way = SecondWay(
+    way = SecondMount(
         there.second, there.about_second, speed.second,
         to_first.first * there.first + to_first.second * there.second,
         to_second.first * there.first + to_second.second * there.second,
@@ -159,13 +159,13 @@ def _on_two_joints(arm: BentArm, length: Any, rate: Any) -> Mount:
 
 
 @kernel
-def _no_way(way: SecondWay) -> SecondWay:
+def _no_way(way: SecondMount) -> SecondMount:
     none = Vec(0.0, 0.0, 0.0)
-    return SecondWay(none, none, 0.0, none, none)
+    return SecondMount(none, none, 0.0, none, none)
 
 
 @kernel
-def _no_ways(like: NumberedMount) -> tuple[SecondWay, ...]:
+def _no_ways(like: NumberedMount) -> tuple[SecondMount, ...]:
     return tree_map(_no_way, (like.mount.second,), ())
 
 
@@ -254,12 +254,12 @@ def _load_of(pose: RotorPose, push: Vec, torque: float) -> RotorLoad:
 
 
 @kernel
-def _along_second(way: SecondWay, push: Vec, turning: Vec) -> float:
+def _along_second(way: SecondMount, push: Vec, turning: Vec) -> float:
     return way.direction @ push + way.bend @ turning
 
 
 @kernel
-def _with_second_power(so_far: float, way: SecondWay, push: Vec, turning: Vec) -> float:
+def _with_second_power(so_far: float, way: SecondMount, push: Vec, turning: Vec) -> float:
     return so_far + way.rate * _along_second(way, push, turning)
 
 
@@ -297,7 +297,7 @@ def _pull(
 
 @kernel
 def _pull_on_two(
-    alone: Vec, way: SecondWay, along: float, here: NumberedMount,
+    alone: Vec, way: SecondMount, along: float, here: NumberedMount,
     loads: tuple[RotorLoad, ...], each: tuple[PlacedRotor, ...],
 ) -> Vec:  # fmt: skip
     """A force whose components along both paths are those of all rotors on the arm."""
