@@ -189,7 +189,8 @@ def fly_both(
             b.keep_log()
         if progress is not None:
             progress(int(at[0]) * period)
-    return a.result(), _with_given_work(b.result(), a.result())
+    flown = a.result()
+    return flown, _with_given_work(b.result(), flown)
 
 
 def _with_given_work(second: Any, first: Any) -> Any:
@@ -203,9 +204,7 @@ def _with_given_work(second: Any, first: Any) -> Any:
     if trace is not None and other.trace is not None:
         names = [name for name in other.trace.columns if name.endswith(".driven")]
         got_then = np.array([other.trace[name] for name in names])
-        values = trace.values.copy()
-        values[:, trace.columns.index("work.bodies.1.driven")] = -got_then.sum(axis=0)
-        trace = trace._replace(values=values)
+        trace.values[:, trace.columns.index("work.bodies.1.driven")] = -got_then.sum(axis=0)
     whole = flown._replace(motion=motion, trace=trace)
     return second._replace(flown=whole) if isinstance(second, GuidedFlown) else whole
 
