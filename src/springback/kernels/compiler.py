@@ -228,6 +228,25 @@ def compile_apart(function: Callable[..., Any], signature: Any, folder: Path) ->
     return CompiledRoutine(address, entry)
 
 
+def compile_uncached(function: Callable[..., Any], signature: Any) -> None:
+    """Compile a function for some compiler types; only entry points that it calls are cached."""
+    entry: Any = _entry(function, None, {"nogil": True})
+    entry.compile(signature)
+
+
+def is_in_cache(entry: Any, signature: Any) -> bool:
+    """True if an entry point needs no compilation for some compiler types, as far as can be seen.
+
+    Args:
+        entry: An executor; of one that is never cached the answer is True.
+        signature: Compiler types of its arguments.
+    """
+    cache = entry._cache
+    if signature in entry.overloads or not isinstance(cache, KernelCache):
+        return True
+    return cache.holds(signature, entry.targetctx.codegen())
+
+
 def executor(**options: Any) -> Callable[[F], F]:
     """Compile an entry point, cached on disk between processes.
 
