@@ -25,13 +25,16 @@ import numba.extending
 import platformdirs
 from numba import njit
 from numba.core.errors import NumbaError
+from numba.core.typing import templates
 from numba.extending import register_jitable
 
 from springback.kernels.kernel_cache import KernelCache
 from springback.kernels.pipeline import LaneCompiler
 
-#: Part of numba without type stubs.
+#: Parts of numba without type stubs.
 _overload: Any = numba.extending.overload
+_templates: Any = templates
+_intrinsic_template: Any = templates.make_intrinsic_template
 
 F = TypeVar("F", bound=Callable[..., Any])
 P = ParamSpec("P")
@@ -100,6 +103,23 @@ def compiler_rule(
 
     def teach(rule: F) -> F:
         _overload(function, jit_options=options, strict=False, prefer_literal=literal)(rule)
+        return rule
+
+    return teach
+
+
+def code_rule(function: Callable[..., Any], *, literal: bool = False) -> Callable[[F], F]:
+    """Decorator for a rule that gives the compiler machine code of a function by types.
+
+    The rule takes the compiler's typing context and the types of the arguments, and returns the
+    signature and a function that emits the code where it is called, or None if the types do not
+    fit.  Nothing is parsed and typed, as a Python function of `compiler_rule` would be.
+    """
+
+    def teach(rule: F) -> F:
+        template = _intrinsic_template(function, rule, rule.__name__, prefer_literal=literal)
+        _templates.infer(template)
+        _templates.infer_global(function, numba.types.Function(template))
         return rule
 
     return teach
@@ -226,6 +246,25 @@ def compile_apart(function: Callable[..., Any], signature: Any, folder: Path) ->
     made = entry.overloads[signature]
     address = made.library.get_pointer_to_function(made.fndesc.llvm_func_name)
     return CompiledRoutine(address, entry)
+
+
+def compile_uncached(function: Callable[..., Any], signature: Any) -> None:
+    """Compile a function for some compiler types; only entry points that it calls are cached."""
+    entry: Any = _entry(function, None, {"nogil": True})
+    entry.compile(signature)
+
+
+def is_in_cache(entry: Any, signature: Any) -> bool:
+    """True if an entry point needs no compilation for some compiler types, as far as can be seen.
+
+    Args:
+        entry: An executor; of one that is never cached the answer is True.
+        signature: Compiler types of its arguments.
+    """
+    cache = entry._cache
+    if signature in entry.overloads or not isinstance(cache, KernelCache):
+        return True
+    return cache.holds(signature, entry.targetctx.codegen())
 
 
 def executor(**options: Any) -> Callable[[F], F]:

@@ -93,6 +93,10 @@ class KernelCache:
             self.end_compilation()
         return found
 
+    def holds(self, signature: Any, codegen: Any) -> bool:
+        """True if there is a file for a signature, or for one whose types have the same names."""
+        return next(self._candidates(self._key(signature, codegen))).exists()
+
     def _load(self, key: tuple[Any, ...], context: Any) -> Any:
         for path in self._candidates(key):
             try:
