@@ -12,7 +12,6 @@ from __future__ import annotations
 import argparse
 import os
 import platform
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -37,6 +36,8 @@ LEVELS: dict[str, dict[str, tuple[str, ...]]] = {
 }
 #: Examples that are compiled beside the kinds of flight of `springback doctor --compile`.
 EXAMPLES = ("arq_wall.toml", "collision.toml", "run_up.toml", "steps.toml")
+#: Plan whose first flights are compiled, too.
+PLAN = "campaign.toml"
 #: Oldest C library of the tag, that of the wheels of SciPy and Numba; kernels find its functions by
 #: name when they are loaded, and need none that is newer.
 LIBRARY = "manylinux_2_28"
@@ -108,8 +109,11 @@ def compile_level(level: str, folder: Path, files: Iterable[Path] | None) -> Non
     """
     from springback.campaign.common_flights import COMMON, kinds_of
     from springback.campaign.compiler_times import compile_kind
+    from springback.campaign.design.layout import lay_out
+    from springback.campaign.design.plan import read_plan
     from springback.interfaces.output.diagnosis import diagnosis
     from springback.kernels.compiler import cache_folder, compiler_target, source_digest
+    from springback.kernels.kernel_cache import pack_kernel
     from springback.kernels.packaged.manifest import (
         PackagedKernels,
         compiler_versions,
@@ -120,6 +124,12 @@ def compile_level(level: str, folder: Path, files: Iterable[Path] | None) -> Non
     chosen = files or [ROOT / "examples" / name for name in EXAMPLES]
     scenarios: dict[str, Mapping[str, Any]] = {} if files else dict(COMMON)
     scenarios |= {path.name: as_scenario(path).model_dump(exclude_unset=True) for path in chosen}
+    if not files:
+        design = lay_out(*read_plan(ROOT / "examples" / PLAN))
+        first = design.slice(0, len(design.robots)).tables
+        scenarios |= {
+            f"{PLAN}, {robot}": one for robot, one in zip(design.robots, first, strict=True)
+        }
     kinds = kinds_of(scenarios)
     for name, kind in kinds:
         begun = time.monotonic()
@@ -131,9 +141,8 @@ def compile_level(level: str, folder: Path, files: Iterable[Path] | None) -> Non
     if target[1:] != (level, ""):
         raise SystemExit(f"compiled for {target[1]} with features {target[2]!r}, not for {level}")
     into = folder / level
-    into.mkdir(parents=True)
     for path in sorted(cache_folder().glob("*.kernel")):
-        shutil.copy(path, into)
+        pack_kernel(path, into)
     keys = tuple(sorted(one.kind.key for one in kinds))
     needs = machine_levels()[level]
     write_manifest(PackagedKernels(into, target, needs, source_digest(), compiler_versions(), keys))

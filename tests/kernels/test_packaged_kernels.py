@@ -39,7 +39,9 @@ def level(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[PackagedK
     """One packaged kernel, which fits."""
     kernel_cache._said.clear()
     folder = tmp_path / "packaged" / "level"
-    assert _entry(doubled, folder, STRICT)(1.5) == 3.0
+    assert _entry(doubled, tmp_path / "built", STRICT)(1.5) == 3.0
+    [path] = (tmp_path / "built").glob("*.kernel")
+    kernel_cache.pack_kernel(path, folder)
     given = PackagedKernels(
         folder, compiler_target(), NEEDS, SOURCE, compiler_versions(), ("a kind",)
     )
@@ -76,8 +78,7 @@ def test_a_packaged_kernel_is_loaded_and_nothing_written(
 
 def test_ones_own_kernel_comes_first(tmp_path: Path, level: PackagedKernels) -> None:
     [path] = level.folder.glob("*.kernel")
-    (tmp_path / "own").mkdir()
-    path.rename(tmp_path / "own" / path.name)
+    (tmp_path / "built").rename(tmp_path / "own")
     path.write_bytes(b"damaged, and not looked at")
     assert flown(tmp_path) == (True, 1)
 
@@ -89,7 +90,9 @@ MISFITS = {
         {"versions": compiler_versions() | {"numba": "0.0.1"}},
         f"compiled with numba 0.0.1, this is {compiler_versions()['numba']}",
     ),
-    "other options": ({"versions": compiler_versions() | {"options": "none"}}, "with options none"),
+    "another option": (
+        {"versions": compiler_versions() | {"option OPT": "9"}}, "with option OPT 9, this is 3",
+    ),
     "a version more": ({"versions": compiler_versions() | {"libm": "9"}}, "libm 9, this is unknown"),
     "another system": (
         {"target": ("sparc-sun-solaris", NAME, FEATURES)}, "compiled for sparc-sun-solaris",
@@ -213,5 +216,5 @@ def test_a_link_of_a_package_manager_is_followed(tmp_path: Path, level: Packaged
 
 
 def test_kernels_name_no_file_of_the_machine_that_compiled_them(level: PackagedKernels) -> None:
-    [path] = level.folder.glob("*.kernel")
+    [path] = (level.folder.parents[1] / "built").glob("*.kernel")
     assert str(Path(__file__).parent).encode() not in path.read_bytes()

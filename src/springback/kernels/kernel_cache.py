@@ -25,6 +25,7 @@ import pickle
 import stat
 import time
 import warnings
+import zlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -115,7 +116,7 @@ class KernelCache:
                 data = _verified_content(path, packaged is not None)
                 if data is None:
                     return None
-                known, payload = pickle.loads(data)
+                known, payload = pickle.loads(zlib.decompress(data) if packaged else data)
                 if known != key:
                     continue
                 return _rebuild(context, *payload)
@@ -170,6 +171,19 @@ class KernelCache:
             except Exception:
                 return path
         return path
+
+
+def pack_kernel(path: Path, folder: Path) -> None:
+    """Write a kernel's file into a folder of packaged kernels, where they are compressed.
+
+    Raises:
+        OSError: If it cannot be read or written.
+        ValueError: If it is damaged.
+    """
+    data = _verified_content(path)
+    if data is None:
+        raise FileNotFoundError(f"{path}: there is no such file")
+    _write(folder / path.name, zlib.compress(data, 9))
 
 
 def _without_annotation(parts: tuple[Any, ...]) -> tuple[Any, ...]:

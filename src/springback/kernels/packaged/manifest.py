@@ -69,7 +69,8 @@ class PackagedKernels(NamedTuple):
                 return f"{name}: compiled for {self.target[0]}, this is {triple}"
             lacking = [one for one in self.needs if f"+{one}" not in features.split(",")]
             if lacking:
-                return f"{name}: this processor lacks {', '.join(lacking)}"
+                more = f" and {len(lacking) - 1} more" if len(lacking) > 1 else ""
+                return f"{name}: this processor lacks {lacking[0]}{more}"
         here = compiler_versions()
         for what in sorted({*here, *self.versions}):
             built, mine = self.versions.get(what, "unknown"), here.get(what, "unknown")
@@ -77,9 +78,9 @@ class PackagedKernels(NamedTuple):
                 return f"{name}: compiled with {what} {built}, this is {mine}"
         return "" if source == self.source else f"{name}: compiled from another source"
 
-    def count(self) -> int:
-        """Number of their files."""
-        return len(list(self.folder.glob("*.kernel")))
+    def files(self) -> list[Path]:
+        """Their files."""
+        return sorted(self.folder.glob("*.kernel"))
 
 
 @functools.cache
@@ -88,14 +89,19 @@ def compiler_versions() -> dict[str, str]:
 
     Of NumPy the minor version counts, by which the compiler chooses its rules.
     """
-    options = [f"{name}={getattr(config, name, None)}" for name in _OPTIONS]
-    return {
+    options = {f"option {name}": _setting(name) for name in _OPTIONS}
+    return options | {
         "Python": f"{platform.python_implementation()} {sys.version_info[0]}.{sys.version_info[1]}",
         "numba": metadata.version("numba"),
         "llvmlite": metadata.version("llvmlite"),
         "NumPy": ".".join(metadata.version("numpy").split(".")[:2]),
-        "options": " ".join(options),
     }
+
+
+def _setting(name: str) -> str:
+    """An option of the compiler; that of optimisation is a number, or that and the word max."""
+    value = getattr(config, name, None)
+    return f"{int(value or 0)}{' max' if getattr(value, 'is_opt_max', False) else ''}"
 
 
 def write_manifest(given: PackagedKernels) -> None:
@@ -167,4 +173,4 @@ def status_text(source: str, target: Target) -> str:
     if used is None:
         reasons = [one.misfit(source, target) for one in known]
         return f"not used: {'; '.join(reasons)}"
-    return f"{used.count()} for {used.target[1]}, used"
+    return f"{len(used.files())} for {used.target[1]}, used"
