@@ -25,10 +25,17 @@ import numba.extending
 import platformdirs
 from numba import njit
 from numba.core.errors import NumbaError
+from numba.core.registry import cpu_target
 from numba.core.typing import templates
 from numba.extending import register_jitable
 
 from springback.kernels.kernel_cache import KernelCache
+from springback.kernels.packaged.manifest import (
+    Target,
+    compiler_versions,
+    fitting_kernels,
+    status_text,
+)
 from springback.kernels.pipeline import LaneCompiler
 
 #: Parts of numba without type stubs.
@@ -181,8 +188,8 @@ def is_named(numba_type: Any, cls: type) -> bool:
 def source_digest() -> str:
     """Digest of every source file that contributes to compiled code.
 
-    The compiler's own cache checks the file of the entry function only, so an edit or an upgrade
-    elsewhere would go unnoticed.  The digest therefore names the cache folder.
+    The compiler's own cache checks the file of the entry function only, so an edit elsewhere would
+    go unnoticed.
     """
     package = Path(__file__).parents[1]
     digest = hashlib.sha256()
@@ -192,11 +199,39 @@ def source_digest() -> str:
     return digest.hexdigest()[:16]
 
 
+@functools.cache
+def state_digest() -> str:
+    """Digest of everything but the processor that determines compiled code.
+
+    That is the source, the versions of interpreter and compiler, and its options.  It names the
+    folder of the cache: code of another version may read its data where they no longer are.
+    """
+    versions = repr(sorted(compiler_versions().items()))
+    return hashlib.sha256(f"{source_digest()} {versions}".encode()).hexdigest()[:16]
+
+
+def compiler_target() -> Target:
+    """What this process compiles for."""
+    triple, name, features = cpu_target.target_context.codegen().magic_tuple()
+    return triple, name, features
+
+
+def packaged_kinds() -> tuple[str, ...]:
+    """Kinds of flight all of whose kernels came with the package, and fit."""
+    fitting = fitting_kernels(source_digest(), compiler_target())
+    return () if fitting is None else fitting.kinds
+
+
+def packaged_status() -> str:
+    """Line on kernels that came with the package: which are used, or why none is."""
+    return status_text(source_digest(), compiler_target())
+
+
 def cache_folder() -> Path:
     """Folder of the compiled kernels; ``SPRINGBACK_CACHE_DIR`` overrides the user's."""
     root = os.environ.get("SPRINGBACK_CACHE_DIR") or platformdirs.user_cache_dir("springback")
     # An unknown user's ~ is left unexpanded.
-    return Path(os.path.expanduser(root)) / "kernels" / source_digest()
+    return Path(os.path.expanduser(root)) / "kernels" / state_digest()
 
 
 def is_writable(folder: Path) -> bool:
@@ -208,11 +243,18 @@ def is_writable(folder: Path) -> bool:
     return os.access(folder, os.W_OK)
 
 
-def _entry(function: F, folder: Path | None, options: dict[str, Any]) -> F:
-    """Compile an entry point, cached in a folder between processes, or not cached."""
+def _entry(function: F, folder: Path | None, options: dict[str, Any], source: str = "") -> F:
+    """Compile an entry point, cached in a folder between processes, or not cached.
+
+    Args:
+        function: The undecorated entry point.
+        folder: That of the cached kernels, or None.
+        options: Those of the compiler.
+        source: Digest of the source, if its kernels may have come with the package.
+    """
     entry: Any = njit(**{**STRICT, **options})(function)
     if folder is not None:
-        cache = entry._cache = KernelCache(function, folder)
+        cache = entry._cache = KernelCache(function, folder, source)
         compile_now = entry._compiler.compile
 
         def compile_or_unlock(*signature: Any) -> Any:
@@ -241,7 +283,7 @@ def compile_apart(function: Callable[..., Any], signature: Any, folder: Path) ->
         signature: Compiler types of its arguments.
         folder: That of the cached kernels.
     """
-    entry: Any = _entry(function, folder, {})
+    entry: Any = _entry(function, folder, {}, source_digest())
     entry.compile(signature)
     made = entry.overloads[signature]
     address = made.library.get_pointer_to_function(made.fndesc.llvm_func_name)
@@ -274,7 +316,7 @@ def executor(**options: Any) -> Callable[[F], F]:
     """
 
     def compile_entry(function: F) -> F:
-        return _entry(function, cache_folder(), options)
+        return _entry(function, cache_folder(), options, source_digest())
 
     return compile_entry
 
@@ -322,6 +364,6 @@ def user_executor(function: F, origin: Origin | None, **options: Any) -> F:
     """
     if origin is None:
         return _entry(function, None, options)
-    digest = hashlib.sha256("\n".join((source_digest(), *origin.words())).encode())
+    digest = hashlib.sha256("\n".join((state_digest(), *origin.words())).encode())
     folder = cache_folder().parents[1] / "own" / digest.hexdigest()[:32]
     return _entry(function, folder, options)
