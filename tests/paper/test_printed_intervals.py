@@ -13,10 +13,10 @@ from springback.paper.printed_intervals import (
     ROUNDED,
     SURFACES,
     PrintedInterval,
-    nearest,
     compared_column,
     conditions,
     dissipation_interval,
+    nearest,
     printed_column,
     slider_numbers,
 )
