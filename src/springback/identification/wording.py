@@ -8,6 +8,7 @@ import numpy as np
 
 from springback.identification.estimates import FieldEstimate, correlations
 from springback.identification.misfit import ChannelMisfit
+from springback.identification.sensitivity import HARDLY, field_sensitivities, reason_untold
 from springback.identification.solving.fitting import ImpactFit
 from springback.identification.solving.pooling import DIFFERENT
 from springback.logs.recording import ARM_LENGTH, POSITION, SPECIFIC_FORCE
@@ -111,8 +112,9 @@ def _not_learned(one: FieldEstimate, fits: Sequence[ImpactFit]) -> list[str]:
     reasons = []
     fit = fits[0]
     names, matrix = correlations(fit)
-    row = np.abs(matrix[names.index(one.unknown.name)].copy())
-    row[names.index(one.unknown.name)] = 0.0
+    place = names.index(one.unknown.name)
+    row = np.abs(matrix[place].copy())
+    row[place] = 0.0
     if row.max() > BOUND_TOGETHER:
         other = names[int(row.argmax())]
         reasons.append(f"it cannot be told apart from {other} (correlation {row.max():.2f})")
@@ -131,6 +133,13 @@ def _not_learned(one: FieldEstimate, fits: Sequence[ImpactFit]) -> list[str]:
         reasons.append("no sensors of arm lengths were given")
     if not reasons:
         reasons.append("this impact hardly depends on it; springback identify plan tells of others")
+    problem = fit.problem
+    told = [
+        field_sensitivities(problem.unknowns, one.jacobian, problem.count)[place] for one in fits
+    ]
+    most = max(told, key=lambda each: each.told)
+    if most.told < HARDLY:
+        reasons = [reason_untold(one.unknown, most, problem.scenario)]
     return [f"{one.unknown.name} {one.verdict}: {'; '.join(reasons)}"]
 
 

@@ -241,7 +241,7 @@ def _next(result: FitResult, further: ExperimentPlan | None) -> Content:
     tables = [table(WORDS.text["narrower"], WORDS.head("narrower"), rows)] if rows else []
     said = list[str]()
     if further is not None:
-        said.append(further.sentence)
+        said += [further.sentence, *further.untold]
         head = [WORDS.text["candidate"], *short_names([one.name for one in further.fields])]
         rows = experiment_rows(further)
         tables.insert(0, table(WORDS.text["experiments"], head, rows))

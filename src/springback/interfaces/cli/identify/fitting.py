@@ -180,7 +180,7 @@ def experiments_text(found: ExperimentPlan) -> str:
     rows += [row(f"{k}. {one.name}", one.half_widths)
              for k, one in enumerate(found.chosen, start=1)]  # fmt: skip
     sizes = [max(len(one[k]) for one in rows) for k in range(len(rows[0]))]
-    lines = [found.sentence, ""]
+    lines = [found.sentence, *found.untold, ""]
     for name, *cells in rows:
         aligned = (f"{cell:>{size}}" for cell, size in zip(cells, sizes[1:], strict=True))
         lines.append("  ".join([f"{name:{sizes[0]}}", *aligned]))
