@@ -17,7 +17,7 @@ from pydantic_core import PydanticCustomError
 from springback.errors import InputError, shown_value
 from springback.problems import key_path
 from springback.quantities import number_in, si_number
-from springback.scenario.fields import Parameter, Path, number_at
+from springback.scenario.fields import Parameter, Path, number_at, refuse_unread
 from springback.scenario.overrides import apply_overrides, with_value
 from springback.scenario.scenario import Scenario
 
@@ -97,6 +97,10 @@ def field_unknown(name: str, text: str, role: Role, scenario: Scenario) -> Unkno
     current = _current(scenario, path)
     if current is None and path[:3] in (DIRECTIONS, INERTIA):
         raise InputError(f"{name}: the vehicle has no such number")
+    try:
+        refuse_unread(path, scenario, ())
+    except InputError as error:
+        raise InputError(f"{name}: {error}") from None
     try:
         centre, deviation, logarithmic = _prior(found, text, current)
     except PydanticCustomError as error:
