@@ -181,6 +181,31 @@ class CandidateSettings(Settings):
     """Tests to be chosen, one after another."""
 
 
+ComparedLaw = Literal["hunt-crossley", "hertz", "kelvin-voigt", "constant-restitution"]
+
+
+class OtherModel(Settings):
+    """A model to compare with that of the plan."""
+
+    name: Name
+    change: tuple[str, ...] = ()
+    """Overrides of the scenario."""
+    free: dict[str, str] = Field(default_factory=dict)
+    """Fields that are fitted in place of the plan's; by default the same."""
+
+
+class CompareFit(Settings):
+    """Models that are compared by how well each predicts impacts that it was not fitted to."""
+
+    laws: tuple[ComparedLaw, ...] = ()
+    """Laws of the obstacle's surface; each begins as stiff and as lossy as the plan's was fitted,
+    and has its own numbers free within a factor of 5 (a restitution of 1.5)."""
+    obstacle: Annotated[int, Field(ge=0, strict=True)] = 0
+    """Number of the obstacle that has the law."""
+    others: tuple[OtherModel, ...] = ()
+    """Further models, by overrides of the scenario."""
+
+
 class FitPlan(Settings):
     """Plan of a fit."""
 
@@ -213,6 +238,8 @@ class FitPlan(Settings):
     """Part of the logs that is fitted."""
     candidates: CandidateSettings = CandidateSettings()
     """Tests that could be flown next."""
+    compare: CompareFit = CompareFit()
+    """Laws, or other models, that are compared by predictions of impacts left out."""
     scatter: Literal["impact", "none"] = "impact"
     """``impact``: what is fitted may differ from impact to impact; ``none``: it may not."""
     starts: Annotated[int, Field(ge=1, le=64, strict=True)] = 8

@@ -9,6 +9,7 @@ import numpy as np
 from springback.identification.design.experiments import ExperimentPlan, width_text
 from springback.identification.estimates import FieldEstimate
 from springback.identification.fits import FitResult
+from springback.identification.law_comparison import LawComparison
 from springback.identification.misfit import ChannelMisfit
 from springback.identification.report.assumptions import MATTERS, Assumption
 from springback.identification.solving.fitting import ImpactFit
@@ -211,6 +212,24 @@ def narrower_rows(estimates: Sequence[FieldEstimate], names: Sequence[str], matr
             name = TableCell(one.unknown.name, code=True)
             rows.append((best, [name, one.unknown.uncertainty, text]))
     return [cells for _, cells in sorted(rows, key=lambda entry: -entry[0])]
+
+
+def law_rows(compared: LawComparison) -> Rows:
+    """Models with what each predicts of impacts left out, and its values."""
+    rows: Rows = []
+    for k, one in enumerate(compared.models):
+        less, error = compared.behind(k)
+        names = short_names([name for name, _, _ in one.estimates])
+        values = "; ".join(
+            f"{name} {value_text(value, unit)}"
+            for name, (_, value, unit) in zip(names, one.estimates, strict=True)
+        )
+        if one.problem:
+            rows.append([one.name, None, None, one.problem])
+            continue
+        behind = "best" if k == 0 else f"{less:.3g} ± {error:.2g}"
+        rows.append([one.name, behind, f"{one.contact:.2g}", values])
+    return rows
 
 
 def experiment_rows(further: ExperimentPlan) -> Rows:

@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from springback.identification.design.coverage import Coverage
     from springback.identification.design.experiments import ExperimentPlan
     from springback.identification.fits import FitResult
+    from springback.identification.law_comparison import LawComparison
 
 #: Cover of a 95 % interval below which it is too narrow.
 LEAST = 0.9
@@ -37,6 +38,7 @@ def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
     springback fly scenario.toml --with fitted/identified.toml --out results
     """
     from springback.identification.fits import fit as carry_out
+    from springback.identification.law_comparison import compare_laws
     from springback.identification.results_files import (
         IDENTIFIED,
         POSTERIOR,
@@ -51,7 +53,10 @@ def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
     with output.folder((IDENTIFIED, POSTERIOR, SUMMARY, REPORT)) as folder:
         with output.progress_bar("fitting") as progress:
             result = carry_out(ready, plan.parent, progress=progress)
-        written, data, text = write_files(result, folder), as_data(result), fit_text(result)
+        with output.progress_bar("comparing laws") as progress:
+            compared = compare_laws(result, progress=progress)
+        written, data = write_files(result, folder, compared), as_data(result, compared)
+        text = fit_text(result, compared)
         if output.wants_figures():
             from springback.identification.design.experiments import plan_experiments
             from springback.interfaces.reports.fit_page import write_report
@@ -61,14 +66,14 @@ def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
                     further = plan_experiments(ready, plan.parent, fits=result.fits)
                 except InputError:  # the scenario's start hits nothing: the logs tell the start
                     further = None
-                written.append(write_report(result, folder, further))
+                written.append(write_report(result, folder, further, compared))
     output.print(data, text)
     output.note_written(written)
     if not result.is_informative:
         sys.exit(1)
 
 
-def fit_text(result: FitResult) -> str:
+def fit_text(result: FitResult, compared: LawComparison | None = None) -> str:
     """A fit on the terminal: the answer first."""
     from springback.identification.wording import estimate_sentence
 
@@ -78,6 +83,8 @@ def fit_text(result: FitResult) -> str:
     lines += [f"  {estimate_sentence(one)}" for one in free]
     if result.sentences:
         lines += ["", *result.sentences]
+    if compared is not None:
+        lines += ["", "laws compared:", *(f"  {text}" for text in compared.sentences)]
     lines += [f"not used: {reason}" for reason in result.refused]
     seconds = sum(fit.seconds for fit in result.fits)
     flights = sum(fit.problem.flown for fit in result.fits)
