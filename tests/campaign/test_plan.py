@@ -233,7 +233,10 @@ def test_a_grid_counts_its_points_and_draws_what_has_no_levels() -> None:
 
 
 def test_a_speed_needs_a_run_up_and_says_so() -> None:
-    with pytest.raises(InputError, match="'speed' needs a reference of type run-up"):
+    with pytest.raises(
+        InputError,
+        match=r"'speed' needs a reference of type run-up; for a throw vary start\.velocity\.0",
+    ):
         lay_out(plan(vary=[{"field": "speed", "from": 1.0, "to": 2.0}]))
 
 

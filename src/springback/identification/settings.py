@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import contextlib
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, ValidationError, field_validator, model_validator
 
 from springback.errors import InputError, shown_value
-from springback.problems import dotted_path, problem_paths
+from springback.problems import dotted_path, key_path, problem_paths
 from springback.quantities import Duration, Unit
 from springback.scenario.files import place_of
 from springback.scenario.overrides import apply_overrides
@@ -34,7 +35,19 @@ class InertialChannel(Settings):
     average: Duration | None = None
     """Each sample is the mean over this time before its instant."""
     low_pass: Rate | None = None
-    """Corner of a low-pass of first order, after the range."""
+    """Corner of a low-pass of first order, after the range: ``bandwidth`` of a scenario's
+    sensor."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _as_of_a_log(cls, given: Any) -> Any:
+        if isinstance(given, Mapping) and "bandwidth" in given:
+            raise problem(
+                "is called low_pass in a plan, as in a log's mapping; bandwidth is the same "
+                "number of a scenario's sensors.imu",
+                "bandwidth",
+            )
+        return given
 
 
 class AccelerometerFit(InertialChannel):
@@ -299,6 +312,39 @@ def read_fit_plan(path: str | Path, overrides: Sequence[str] = ()) -> FitPlan:
             said = f"{dotted_path(keys)}: {what}" if keys else what
             problems.append(f"{place_of(str(path), text, keys)}: {said}")
         raise InputError(*problems) from None
+
+
+@contextlib.contextmanager
+def naming_places(path: str | Path) -> Iterator[None]:
+    """Give problems of a plan's fields the file, the line and the table that they are of.
+
+    Args:
+        path: Of the plan.
+
+    Raises:
+        InputError: Again, each line that begins with a key of the plan with its place.
+    """
+    try:
+        yield
+    except InputError as error:
+        text = source_text(Path(path))
+        tables = toml_tables(text, str(path))
+        raise InputError(
+            *(_placed(one, str(path), text, tables) for one in error.problems)
+        ) from None
+
+
+def _placed(line: str, path: str, text: str, tables: Mapping[str, Any]) -> str:
+    name, colon, rest = line.partition(": ")
+    if not colon or line.startswith(path):
+        return line
+    for table in ("free", "known"):
+        if name in tables.get(table, {}):
+            return f"{place_of(path, text, (table, name))}: {table}.{name}: {rest}"
+    keys = key_path(name)
+    if keys and keys[0] in FitPlan.model_fields and keys[0] != "name":
+        return f"{place_of(path, text, keys)}: {line}"
+    return line
 
 
 def refuse_second_vehicle(scenario: Any) -> None:

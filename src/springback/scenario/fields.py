@@ -218,7 +218,10 @@ def number_at(
         if key not in fields:
             near = nearest_name(key, [*fields, *known])
             if near == key:  # a short name that needs more than this scenario has
-                raise InputError(f"{name}: {key!r} needs a reference of type run-up")
+                other = "start.velocity.0" if key == "speed" else "start.pitch"
+                raise InputError(
+                    f"{name}: {key!r} needs a reference of type run-up; for a throw vary {other}"
+                )
             hint = f"did you mean {near}?" if near else f"known here: {', '.join(fields)}"
             raise InputError(f"{name}: unknown parameter {key!r}; {hint}")
         field, others = fields[key], ()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -17,6 +18,7 @@ if TYPE_CHECKING:
     from springback.identification.design.experiments import ExperimentPlan
     from springback.identification.fits import FitResult
     from springback.identification.law_comparison import LawComparison
+    from springback.identification.report.assumptions import Assumption
 
 #: Cover of a 95 % interval below which it is too narrow.
 LEAST = 0.9
@@ -39,6 +41,7 @@ def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
     """
     from springback.identification.fits import fit as carry_out
     from springback.identification.law_comparison import compare_laws
+    from springback.identification.report.assumptions import assumptions
     from springback.identification.results_files import (
         IDENTIFIED,
         POSTERIOR,
@@ -47,16 +50,16 @@ def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
         as_data,
         write_files,
     )
-    from springback.identification.settings import read_fit_plan
+    from springback.identification.settings import naming_places, read_fit_plan
 
     ready = read_fit_plan(plan, overrides)
-    with output.folder((IDENTIFIED, POSTERIOR, SUMMARY, REPORT)) as folder:
+    with naming_places(plan), output.folder((IDENTIFIED, POSTERIOR, SUMMARY, REPORT)) as folder:
         with output.progress_bar("fitting") as progress:
             result = carry_out(ready, plan.parent, progress=progress)
         with output.progress_bar("comparing laws") as progress:
             compared = compare_laws(result, progress=progress)
         written, data = write_files(result, folder, compared), as_data(result, compared)
-        text = fit_text(result, compared)
+        text = fit_text(result, compared, assumptions(result.fits))
         if output.wants_figures():
             from springback.identification.design.experiments import plan_experiments
             from springback.interfaces.reports.fit_page import write_report
@@ -73,8 +76,19 @@ def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
         sys.exit(1)
 
 
-def fit_text(result: FitResult, compared: LawComparison | None = None) -> str:
-    """A fit on the terminal: the answer first."""
+def fit_text(
+    result: FitResult,
+    compared: LawComparison | None = None,
+    assumed: Sequence[Assumption] = (),
+) -> str:
+    """A fit on the terminal: the answer first.
+
+    Args:
+        result: The fit.
+        compared: Laws, by impacts left out.
+        assumed: Fields that were taken as exact.
+    """
+    from springback.identification.report.assumptions import assumption_sentences
     from springback.identification.wording import estimate_sentence
 
     free = [one for one in result.estimates if one.unknown.role == "free"]
@@ -83,6 +97,9 @@ def fit_text(result: FitResult, compared: LawComparison | None = None) -> str:
     lines += [f"  {estimate_sentence(one)}" for one in free]
     if result.sentences:
         lines += ["", *result.sentences]
+    if assumed:
+        lines += ["", "assumed exactly:"]
+        lines += [f"  {text}" for text in assumption_sentences(assumed, result.estimates)]
     if compared is not None:
         lines += ["", "laws compared:", *(f"  {text}" for text in compared.sentences)]
     lines += [f"not used: {reason}" for reason in result.refused]
@@ -109,10 +126,11 @@ def check(plan: Path, overrides: tuple[str, ...], sets: int, terminal: Terminal)
     springback identify check fit.toml --sets 1000 --json
     """
     from springback.identification.design.coverage import check_coverage
-    from springback.identification.settings import read_fit_plan
+    from springback.identification.settings import naming_places, read_fit_plan
 
     ready = read_fit_plan(plan, overrides)
-    with terminal.progress_bar("flying and fitting synthetic sets") as progress:
+    progress_bar = terminal.progress_bar("flying and fitting synthetic sets")
+    with naming_places(plan), progress_bar as progress:
         found = check_coverage(ready, plan.parent, sets=sets, progress=progress)
     data = found._asdict() | {
         "fields": [one._asdict() | {"share": one.share} for one in found.fields]
@@ -159,10 +177,10 @@ def plan_tests(plan: Path, overrides: tuple[str, ...], terminal: Terminal) -> No
     """
     from springback.identification.design.experiments import plan_experiments
     from springback.identification.fits import fit as carry_out
-    from springback.identification.settings import read_fit_plan
+    from springback.identification.settings import naming_places, read_fit_plan
 
     ready = read_fit_plan(plan, overrides)
-    with terminal.progress_bar("weighing tests") as progress:
+    with naming_places(plan), terminal.progress_bar("weighing tests") as progress:
         fits = carry_out(ready, plan.parent).fits if ready.flights else ()
         found = plan_experiments(ready, plan.parent, fits=fits, progress=progress)
     data = found._asdict() | {
