@@ -16,7 +16,7 @@ from springback.contact.parameters import SurfaceSettings
 from springback.errors import InputError
 from springback.identification.fits import FitResult, result_of
 from springback.identification.law_comparison import (
-    ComparedModel,
+    LawPredictions,
     LawComparison,
     compare_laws,
     equal_numbers,
@@ -73,9 +73,9 @@ def test_two_impacts_are_too_few_and_none_is_asked_for_nothing() -> None:
 
 def test_differences_have_the_error_of_their_scatter_over_impacts() -> None:
     """Two impacts of differences 3 and 5: their sum, and √2 times their standard deviation."""
-    good = ComparedModel("good", (-10.0, -20.0), 1.0, (), "")
-    bad = ComparedModel("bad", (-13.0, -25.0), 1.5, (), "")
-    lost = ComparedModel("lost", (-math.inf, -math.inf), math.nan, (), "it diverges")
+    good = LawPredictions("good", (-10.0, -20.0), 1.0, (), "")
+    bad = LawPredictions("bad", (-13.0, -25.0), 1.5, (), "")
+    lost = LawPredictions("lost", (-math.inf, -math.inf), math.nan, (), "it diverges")
     found = LawComparison(("a", "b"), (good, bad, lost))
     assert found.behind(1) == pytest.approx((8.0, 2.0))
     assert found.is_worse(1)

@@ -20,7 +20,7 @@ from springback.contact.laws.restitution import dissipation_for, restitution
 from springback.errors import InputError
 from springback.identification.fits import FitResult, fields_of_plan
 from springback.identification.observations.likelihood import ImpactProblem
-from springback.identification.settings import ComparedLaw, FitPlan
+from springback.identification.settings import LawName, FitPlan
 from springback.identification.solving.fitting import ImpactFit, fit_impact
 from springback.identification.solving.least_squares import jacobians, solve
 from springback.identification.solving.pooling import pool
@@ -34,7 +34,7 @@ FEWEST = 3
 #: Standard errors, and differences of ln p, from which a model predicts worse (chosen).
 CLEARLY, LEAST = 2.0, 2.0
 #: Numbers of a law, and the uncertainty that each begins with.
-LAW_NUMBERS: dict[ComparedLaw, dict[str, str]] = {
+LAW_NUMBERS: dict[LawName, dict[str, str]] = {
     "hunt-crossley": {"stiffness": "factor 5", "dissipation": "factor 5"},
     "hertz": {"stiffness": "factor 5"},
     "kelvin-voigt": {"stiffness": "factor 5", "viscosity": "factor 5"},
@@ -49,7 +49,7 @@ _KEPT = (
 _LEAST_RESTITUTION, _LEAST_DAMPING = 0.05, 1e-3
 
 
-class ComparedModel(NamedTuple):
+class LawPredictions(NamedTuple):
     """A model, and how well it predicts what it was not fitted to."""
 
     name: str
@@ -67,7 +67,7 @@ class LawComparison(NamedTuple):
     """Models, the best one first."""
 
     impacts: tuple[str, ...]
-    models: tuple[ComparedModel, ...]
+    models: tuple[LawPredictions, ...]
 
     def behind(self, k: int) -> tuple[float, float]:
         """How much less ln p a model has than the best, and its standard error.
@@ -176,7 +176,9 @@ def compare_laws(result: FitResult, *, progress: Progress = silent) -> LawCompar
             found.append(_scored(model.name, _refitted(plan, model, fits), fits))
         except InputError as error:
             scores = (-math.inf,) * len(fits)
-            found.append(ComparedModel(model.name, scores, math.nan, (), "; ".join(error.problems)))
+            found.append(
+                LawPredictions(model.name, scores, math.nan, (), "; ".join(error.problems))
+            )
     found.sort(key=lambda one: -sum(one.scores))
     return LawComparison(tuple(fit.name for fit in fits), tuple(found))
 
@@ -193,7 +195,7 @@ def _surface(plan: FitPlan, scenario: Scenario) -> Any:
     return getattr(obstacles[k], "surface", None) if k < len(obstacles) else None
 
 
-def _of_law(plan: FitPlan, law: ComparedLaw, problem: ImpactProblem, result: FitResult) -> _Model:
+def _of_law(plan: FitPlan, law: LawName, problem: ImpactProblem, result: FitResult) -> _Model:
     """A model with another law of the obstacle, equal to the present one at the speed of touch."""
     k, surface = plan.compare.obstacle, _surface(plan, problem.scenario)
     at = f"world.obstacles.{k}.surface"
@@ -220,7 +222,7 @@ def _of_law(plan: FitPlan, law: ComparedLaw, problem: ImpactProblem, result: Fit
 
 
 def equal_numbers(
-    law: ComparedLaw, surface: Any, values: Mapping[str, float], mass: float, speed: float
+    law: LawName, surface: Any, values: Mapping[str, float], mass: float, speed: float
 ) -> dict[str, float]:
     """Numbers of a law with the depth and the restitution of another, for one mass at one speed.
 
@@ -276,7 +278,7 @@ def _refitted(plan: FitPlan, model: _Model, fits: Sequence[ImpactFit]) -> list[I
     return found
 
 
-def _scored(name: str, fits: Sequence[ImpactFit], own: Sequence[ImpactFit]) -> ComparedModel:
+def _scored(name: str, fits: Sequence[ImpactFit], own: Sequence[ImpactFit]) -> LawPredictions:
     """Score of a model by the impacts left out.
 
     Args:
@@ -307,7 +309,7 @@ def _scored(name: str, fits: Sequence[ImpactFit], own: Sequence[ImpactFit]) -> C
         for k, one in enumerate(fits[0].problem.fields) if one.role == "free"
     )  # fmt: skip
     contact = math.sqrt(squares / samples) if samples else math.nan
-    return ComparedModel(name, tuple(scores), contact, estimates, "")
+    return LawPredictions(name, tuple(scores), contact, estimates, "")
 
 
 def _predicting(fit: ImpactFit, rest: Sequence[ImpactFit]) -> ImpactProblem:

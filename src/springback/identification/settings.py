@@ -194,7 +194,7 @@ class CandidateSettings(Settings):
     """Tests to be chosen, one after another."""
 
 
-ComparedLaw = Literal["hunt-crossley", "hertz", "kelvin-voigt", "constant-restitution"]
+LawName = Literal["hunt-crossley", "hertz", "kelvin-voigt", "constant-restitution"]
 
 
 class OtherModel(Settings):
@@ -207,10 +207,10 @@ class OtherModel(Settings):
     """Fields that are fitted in place of the plan's; by default the same."""
 
 
-class CompareFit(Settings):
+class ComparisonFit(Settings):
     """Models that are compared by how well each predicts impacts that it was not fitted to."""
 
-    laws: tuple[ComparedLaw, ...] = ()
+    laws: tuple[LawName, ...] = ()
     """Laws of the obstacle's surface; each begins as stiff and as lossy as the plan's was fitted,
     and has its own numbers free within a factor of 5 (a restitution of 1.5)."""
     obstacle: Annotated[int, Field(ge=0, strict=True)] = 0
@@ -251,7 +251,7 @@ class FitPlan(Settings):
     """Part of the logs that is fitted."""
     candidates: CandidateSettings = CandidateSettings()
     """Tests that could be flown next."""
-    compare: CompareFit = CompareFit()
+    compare: ComparisonFit = ComparisonFit()
     """Laws, or other models, that are compared by predictions of impacts left out."""
     scatter: Literal["impact", "none"] = "impact"
     """``impact``: what is fitted may differ from impact to impact; ``none``: it may not."""
@@ -340,7 +340,7 @@ def _placed(line: str, path: str, text: str, tables: Mapping[str, Any]) -> str:
         return line
     for table in ("free", "known"):
         if name in tables.get(table, {}):
-            return f"{place_of(path, text, (table, name))}: {table}.{name}: {rest}"
+            return f"{place_of(path, text, (table, *key_path(name)))}: {table}.{name}: {rest}"
     keys = key_path(name)
     if keys and keys[0] in FitPlan.model_fields and keys[0] != "name":
         return f"{place_of(path, text, keys)}: {line}"
