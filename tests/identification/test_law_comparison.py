@@ -16,8 +16,8 @@ from springback.contact.parameters import SurfaceSettings
 from springback.errors import InputError
 from springback.identification.fits import FitResult, result_of
 from springback.identification.law_comparison import (
-    LawPredictions,
     LawComparison,
+    LawPredictions,
     compare_laws,
     equal_numbers,
 )

@@ -20,7 +20,7 @@ from springback.contact.laws.restitution import dissipation_for, restitution
 from springback.errors import InputError
 from springback.identification.fits import FitResult, fields_of_plan
 from springback.identification.observations.likelihood import ImpactProblem
-from springback.identification.settings import LawName, FitPlan
+from springback.identification.settings import FitPlan, LawName
 from springback.identification.solving.fitting import ImpactFit, fit_impact
 from springback.identification.solving.least_squares import jacobians, solve
 from springback.identification.solving.pooling import pool
