@@ -59,6 +59,10 @@ class AccelerometerFit(InertialChannel):
     """Standard deviation of a sample, if white; by default estimated before touch."""
     bias: Annotated[float, Unit("m/s^2", above=0.0)] = 0.2
     """Standard deviation of each axis (chosen)."""
+    scale: Annotated[float, Unit("", above=0.0)] | None = None
+    """Standard deviation of its factor, the same for all axes and impacts; by default exact."""
+    misalignment: Annotated[float, Unit("rad", above=0.0)] | None = None
+    """Standard deviation of each component of a small turn against the body; by default exact."""
 
 
 class GyroscopeFit(InertialChannel):

@@ -6,7 +6,12 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from springback.identification.estimates import FieldEstimate, correlations
+from springback.identification.estimates import (
+    DEPTH,
+    FieldEstimate,
+    correlations,
+    depth_forces,
+)
 from springback.identification.misfit import ChannelMisfit
 from springback.identification.sensitivity import HARDLY, field_sensitivities, reason_untold
 from springback.identification.solving.fitting import ImpactFit
@@ -44,6 +49,21 @@ def estimate_sentence(one: FieldEstimate) -> str:
     elif one.verdict == "at most":
         said = f"{unknown.name} is at most {number_text(one.high, unit)}"
     return f"{said}: {one.verdict} ({100.0 * one.deviation:.2g} % of the uncertainty before)"
+
+
+def force_sentences(fits: Sequence[ImpactFit], *, scatter: bool) -> list[str]:
+    """Forces at one depth of surfaces whose stiffness and exponent are both free.
+
+    Args:
+        fits: Of all impacts.
+        scatter: True: values may differ from impact to impact.
+    """
+    return [
+        f"force at {1e3 * DEPTH:g} mm of {one.name} = {number_text(one.value, 'N')}, "
+        f"{100.0 * (one.low / one.value - 1.0):+.2g} % to "
+        f"{100.0 * (one.high / one.value - 1.0):+.2g} %: stiffness and exponent together"
+        for one in depth_forces(fits, scatter=scatter)
+    ]
 
 
 def sentences(
