@@ -81,6 +81,8 @@ def test_differences_have_the_error_of_their_scatter_over_impacts() -> None:
     assert found.is_worse(1)
     assert found.is_worse(2)
     assert found.sentences[2] == "lost could not be fitted: it diverges"
+    rough = bad._replace(scores=(-13.0, -900.0))  # worse in both, by far in one
+    assert LawComparison(("a", "b"), (good, rough)).is_worse(1)
     near = bad._replace(scores=(-11.0, -20.5))
     assert not LawComparison(("a", "b"), (good, near)).is_worse(1)
 

@@ -82,13 +82,15 @@ class LawComparison(NamedTuple):
         return float(rest.sum()), float(math.sqrt(len(rest)) * rest.std(ddof=1))
 
     def is_worse(self, k: int) -> bool:
-        """True if a model clearly predicts worse than the best.
+        """True if a model clearly predicts worse than the best, or so in every impact.
 
         Args:
             k: Number of the model.
         """
         less, error = self.behind(k)
-        return not math.isfinite(less) or (less > LEAST and less > CLEARLY * error)
+        best, one = (self.models[j].scores for j in (0, k))
+        each = all(a - b > LEAST for a, b in zip(best, one, strict=True))
+        return not math.isfinite(less) or each or (less > LEAST and less > CLEARLY * error)
 
     def as_data(self) -> dict[str, Any]:
         """Plain data for JSON, without infinite numbers."""

@@ -41,6 +41,7 @@ from springback.interfaces.reports.fit_tables import (
     misfit_rows,
     narrower_rows,
     search_rows,
+    source_words,
     value_text,
 )
 from springback.interfaces.reports.page import (
@@ -91,7 +92,10 @@ def fit_page(
     content: dict[str, Content] = {
         "overview": {
             "impacts": impacts, "answer": _answer(result), "trust": _trust(result),
-            "fields": [table(WORDS.text["fields"], WORDS.head("fields"), field_rows(result))],
+            "fields": [table(
+                WORDS.say("fields", source=source_words(result)), WORDS.head("fields"),
+                field_rows(result),
+            )],
         },
         "warnings": {
             "sentences": [_sentence(text) for text in result.sentences],

@@ -69,7 +69,7 @@ def estimate_cells(unknown: Unknown, found: IntervalEstimate) -> tuple[TableCell
         ends = with_unit(interval_text(found, unit.factor), unit.symbol)
         if found.value:
             shares = ((end - found.value) / abs(found.value) for end in (found.low, found.high))
-            detail = " to ".join(map(percent, shares))
+            detail = " to ".join(map(_end_share, shares))
     elif found.low is not None:
         ends = f"at least {value_text(found.low, unknown.unit)}"
     elif found.high is not None:
@@ -79,15 +79,22 @@ def estimate_cells(unknown: Unknown, found: IntervalEstimate) -> tuple[TableCell
     return TableCell(value, found.value), TableCell(ends, detail=detail)
 
 
-def field_rows(result: FitResult) -> Rows:
-    """Values, intervals, priors and verdicts of all fields."""
+def _end_share(share: float) -> str:
+    """End of an interval against the value; narrow ones with a digit that is not zero."""
+    small = 0.0 < abs(share) < 5e-4
+    return f"{100.0 * share:+.1g} %".replace("-", "−") if small else percent(share)
+
+
+def source_words(result: FitResult) -> str:
+    """Where the intervals of free fields are from."""
     count = len(result.fits)
     if count == 1:
-        source = "profile of the likelihood"
-    elif result.plan.scatter == "impact":
-        source = f"{count} impacts, scatter"
-    else:
-        source = f"{count} impacts, no scatter"
+        return "profiles of the likelihood"
+    return f"{count} impacts, {'with' if result.plan.scatter == 'impact' else 'without'} scatter"
+
+
+def field_rows(result: FitResult) -> Rows:
+    """Values, intervals, priors and verdicts of all fields."""
     rows: Rows = []
     for one in result.estimates:
         low, high = one.prior
@@ -95,16 +102,12 @@ def field_rows(result: FitResult) -> Rows:
         ends = " to ".join(three_digits(unit.factor * end) for end in (low, high))
         prior = TableCell(with_unit(ends, unit.symbol), detail=one.unknown.uncertainty)
         learned = TableCell(
-            one.verdict, detail=f"{_share(100.0 * one.deviation)} % of the uncertainty"
-        )
-        free = one.unknown.role == "free"
-        mark = TableCell(
-            "", detail=source if free else "taken as known",
-            mark=Mark.FITTED if free else Mark.GIVEN,
+            one.verdict, detail=f"{_share(100.0 * one.deviation)} % of the uncertainty",
+            mark=Mark.FITTED if one.unknown.role == "free" else Mark.GIVEN,
         )  # fmt: skip
         rows.append([
             TableCell(one.unknown.name, code=True),
-            *estimate_cells(one.unknown, interval_of(one)), prior, learned, mark,
+            *estimate_cells(one.unknown, interval_of(one)), prior, learned,
         ])  # fmt: skip
     return rows
 
