@@ -96,7 +96,7 @@ def _shared_numbers(fits: Sequence[ImpactFit]) -> _Shared:
         precision += theirs - np.eye(len(names))
         weighted += theirs @ fit.point[which]
     covariance = np.linalg.inv(precision)
-    return _Shared(names, covariance @ weighted, covariance)
+    return _Shared(names, np.asarray(covariance @ weighted), np.asarray(covariance))
 
 
 def _alone(unknown: Unknown, fit: ImpactFit) -> FieldEstimate:
