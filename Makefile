@@ -6,7 +6,7 @@ OUT ?= reproduction
 # Byte code is kept, whatever the shell says: without it each program takes a second more to start.
 export PYTHONDONTWRITEBYTECODE =
 
-.PHONY: run test quick lint types layers pytest mutations geometry attack fuzz docs bench lock web clean
+.PHONY: run test quick lint types layers pytest mutations geometry attack fuzz docs bench wheel lock web clean
 
 run:
 	@tools/environment all
@@ -78,6 +78,11 @@ docs:
 bench:
 	@tools/environment dev
 	$(BIN)/python -m benchmarks.run
+
+# A wheel with compiled kernels for this platform and version of Python, into dist: some minutes.
+wheel:
+	@tools/environment dev
+	$(BIN)/python tools/wheel.py --out dist
 
 lock:
 	uv lock

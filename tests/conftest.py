@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,8 @@ from builders.missing import is_allowed
 settings.register_profile("suite", deadline=None, derandomize=True, max_examples=100)
 settings.load_profile("suite")
 HERE = Path(__file__).parent
+# The workers of the suite hold all cores.
+os.environ.setdefault("SPRINGBACK_COMPILERS", "1")
 
 
 @pytest.hookimpl(tryfirst=True)  # before tests are chosen by their marks

@@ -55,10 +55,11 @@ def draw_robot(ax: Any, scene: Scene, view: ViewPlane, t: float, look: dict[str,
     """A robot at an instant, with a dot where something pushes it."""
     now, thin = pose(scene, t), look.get("thin", 1.0)
     body = {"color": look["colour"], "alpha": look.get("alpha", 1.0)}
-    for arm, tip, length in zip(scene.arms, ends(scene.arms, now), now.lengths, strict=True):
+    tips = ends(scene.arms, now)
+    for j, (arm, tip, length) in enumerate(zip(scene.arms, tips, now.lengths, strict=True)):
         cage = ring(tip, arm.cage_radius, now.rotation)
         ax.plot(*view(cage).T, color=INK, lw=0.9 * thin, alpha=body["alpha"])
-        ax.plot(*view(arm_line(arm, now, length)).T, lw=0.7 * thin, **body)
+        ax.plot(*view(arm_line(arm, now, length, now.bend(j))).T, lw=0.7 * thin, **body)
     for rim in body_outline(now):
         ax.fill(*view(rim).T, lw=0.0, **body)
     for force, point in zip(now.force, now.point, strict=True):

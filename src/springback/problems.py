@@ -57,6 +57,7 @@ _KINDS = {
     ),
     "hulls": ("sphere", "ring", "capsule", "box", "points"),
     "joint": ("slide", "hinge"),
+    "second": ("slide", "hinge"),
     "parts": ("point", "ball", "box", "tube"),
     "motion": ("constant", "sine", "table", "free", "pendulum", "hinge"),
     "shapes": (

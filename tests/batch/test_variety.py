@@ -225,3 +225,21 @@ def test_every_number_is_traced() -> None:
             refused.append(path)
     assert traced > 150
     assert len(refused) < 30
+
+
+def test_every_number_of_two_joints_is_traced() -> None:
+    """Springs, dampers, travels; places and axes but for flights that take other branches."""
+    hinge = {"type": "hinge", "position": [0.06, 0.0, 0.0], "axis": [0.1, 0.2, 1.0],
+             "travel": [-1.0, 1.0], "stiffness": 5.0, "quadratic": 1.0, "damping": 0.02,
+             "play": 0.01}  # fmt: skip
+    second = {**hinge, "axis": [0.0, 1.0, 0.1], "travel": [-0.3, 0.6]}
+    base = trial()
+    vehicle = {"preset": "arq", "arms": {"joint": {**hinge, "second": second}}}
+    full = {**{key: base[key] for key in ("world", "start", "simulation")}, "vehicle": vehicle}
+    paths = [path for path in places_of_floats(vehicle, ("vehicle",)) if "joint" in path]
+    assert len(paths) == 24
+    for path in paths:
+        groups = built([changed(full, path, k) for k in range(FEW)])
+        together = [k for many in groups for k in many.flights]
+        turned = {"position", "axis"} & set(path)
+        assert len(together) > 1 if turned else together == [*range(FEW)], path

@@ -33,6 +33,8 @@ SLOW = (
     "contact/test_rings.py::test_a_flight_into_a_thin_pole_closes_its_ledger",
     "contact/test_rounding.py",
     "dynamics/test_conservation.py::test_impulses_never_add_energy",
+    "dynamics/test_bent_arms.py::test_accelerations_are_those_of_the_lagrangian",
+    "dynamics/test_bent_flights.py",
     "dynamics/test_engines.py",
     "dynamics/test_engines_shapes.py",
     "dynamics/test_joint_flights.py",
@@ -51,6 +53,7 @@ SLOW = (
     "interfaces/reproduction/",
     "interfaces/web/test_server.py::test_slow_answers_and_later_requests_have_their_time",
     "kernels/test_kernel_cache.py",
+    "kernels/test_packaged_kernels.py",
     "logs/test_round_trips.py",
     "paper/",
     "recovery/test_pilot.py",
@@ -83,6 +86,7 @@ SLOW = (
     "test_examples.py",
     "test_mutations.py::test_a_flipped_sign_is_noticed",
     "test_readme.py",
+    "test_wheel.py",
 )
 #: Longest files first, so that no worker is left with one at the end.
 FIRST = ("test_readme.py", "test_examples.py")

@@ -17,6 +17,7 @@ FEATURES = {
     "root": hasattr(os, "getuid") and os.getuid() == 0,
     "/dev/full": Path("/dev/full").exists(),
     "a git checkout": (Path(__file__).parents[2] / ".git").exists(),
+    "AVX2": bool(binding.get_host_cpu_features().get("avx2")),
     "AVX-512": bool(binding.get_host_cpu_features().get("avx512f")),
 }
 

@@ -76,6 +76,20 @@ def test_kernels_that_something_else_compiled_are_known_once_loaded(cache: Path)
     assert compiler_time(kind, {}) == (TYPICAL[False], False, True)
 
 
+def test_kinds_that_came_with_the_package_are_not_compiled(
+    cache: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Also where nothing can be cached; nothing is in the cache then."""
+    [kind], [other] = flight_kinds([THROW]), flight_kinds([HOVER])
+    monkeypatch.setattr(compiler_times, "packaged_kinds", lambda: (kind.key,))
+    monkeypatch.setattr(compiler_times, "fly_scenarios", lambda tables: None)
+    monkeypatch.setattr(compiler_times, "is_writable", lambda folder: False)
+    for _ in range(2):
+        assert compiler_time(kind, {}) == (TYPICAL[False], False, True)
+        assert compile_kind(kind, {}) == 0.0
+    assert not compiler_time(other, {}).cached
+
+
 def test_a_kind_is_compiled_once_in_a_process(cache: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     seen: list[str] = []
     monkeypatch.setattr(compiler_times, "compile_kind", lambda kind, code: seen.append(kind.key))

@@ -29,7 +29,7 @@ POINT = 1e-14
 class Loads(NamedTuple):
     """Everything that acts, but inertia and gravity; world axes."""
 
-    joint: Array  # spring and damper, on c, shape (arms,)
+    joint: Array  # spring and damper, on c, shape (arms,) or, of arms on two joints, (arms, 2)
     force: Array  # on each arm at its end [N], shape (arms, 3)
     moment: Array  # on each arm about its end [N m], shape (arms, 3)
     point: Array  # the arms' ends [m], shape (arms, 3)
@@ -42,10 +42,9 @@ def loads(craft: Craft, now: Pose, scene: Scene | None) -> Loads:
     joint, forces, moments, points, velocities = [], [], [], [], []
     for limb, c, rate in zip(craft.limbs, now.bends, now.rates, strict=True):
         at_end, spin = r @ limb.turn(c), r @ now.omega
-        if limb.kind == "hinge":
-            spin = spin + rate * r @ limb.axis
+        spin = spin + r @ limb.spin(c, rate)
         lever = r @ limb.place(c)
-        velocity = now.velocity + np.cross(r @ now.omega, lever) + rate * r @ limb.slope(c)
+        velocity = now.velocity + np.cross(r @ now.omega, lever) + r @ limb.motion(c, rate)
         force, moment = np.zeros(3), np.zeros(3)
         if scene is not None:
             force, moment = wall_force(
@@ -107,10 +106,14 @@ def _actuators_xml(blowers: tuple[Blower, ...]) -> str:
 
 def _limb_xml(number: int, limb: Limb, blowers: tuple[Blower, ...]) -> str:
     base = limb.end if limb.kind == "slide" else limb.point
+    joints = "".join(
+        f"""
+          <joint type="{one.kind}" axis="{_numbers(one.axis)}" pos="{_numbers(one.point - base)}"
+                 limited="false" damping="0" stiffness="0" armature="0"/>"""
+        for one in limb.chain
+    )
     return f"""
-        <body name="arm{number}" pos="{_numbers(base)}">
-          <joint type="{limb.kind}" axis="{_numbers(limb.axis)}" pos="0 0 0"
-                 limited="false" damping="0" stiffness="0" armature="0"/>
+        <body name="arm{number}" pos="{_numbers(base)}">{joints}
           <inertial pos="{_numbers(limb.end - base)}" mass="{limb.mass!r}"
                     diaginertia="{POINT} {POINT} {POINT}"/>
           <site name="end{number}" pos="{_numbers(limb.end - base)}"/>
@@ -178,19 +181,20 @@ class InMujoco:
         """Second derivatives at one instant."""
         model, data, acting = self.model, self.data, loads(self.craft, now, scene)
         unit = now.attitude / np.linalg.norm(now.attitude)
-        data.qpos[:] = np.concatenate([now.position, unit, now.bends])
-        data.qvel[:] = np.concatenate([now.velocity, now.omega, now.rates])
+        data.qpos[:] = np.concatenate([now.position, unit, now.bends.ravel()])
+        data.qvel[:] = np.concatenate([now.velocity, now.omega, now.rates.ravel()])
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         applied = np.zeros(model.nv)
-        applied[6:] = acting.joint
+        applied[6:] = acting.joint.ravel()
         for k, body in enumerate(self.arms):
             mujoco.mj_applyFT(
                 model, data, acting.force[k], acting.moment[k], acting.point[k], body, applied
             )
         data.qfrc_applied[:] = applied
         mujoco.mj_forward(model, data)
-        return Second(data.qacc[:3].copy(), data.qacc[3:6].copy(), data.qacc[6:].copy())
+        bends = data.qacc[6:].copy().reshape(now.bends.shape)
+        return Second(data.qacc[:3].copy(), data.qacc[3:6].copy(), bends)
 
     def fly(self, start: Pose, scene: Scene | None, *, until: float, step: float) -> Pose:
         """The end of a flight at equal steps of the classical Runge-Kutta method.
@@ -201,20 +205,22 @@ class InMujoco:
             until: Duration [s]; a whole number of steps.
             step: Of the method [s].
         """
-        count = len(self.craft.limbs)
+        shape, count = start.bends.shape, start.bends.size
 
         def pose(x: Array) -> Pose:
-            return Pose(x[:3], x[3:7], x[7:10], x[10:13], x[13 : 13 + count], x[13 + count :])
+            bends, rates = x[13 : 13 + count].reshape(shape), x[13 + count :].reshape(shape)
+            return Pose(x[:3], x[3:7], x[7:10], x[10:13], bends, rates)
 
         def slope(x: Array) -> Array:
             here, turning = pose(x), np.zeros(4)
             mujoco.mju_mulQuat(turning, here.attitude, np.concatenate([[0.0], here.omega]))
             linear, angular, bends = self.accelerations(here, scene)
-            rates = [here.velocity, 0.5 * turning, linear, angular, here.rates, bends]
+            moving = [here.rates.ravel(), bends.ravel()]
+            rates = [here.velocity, 0.5 * turning, linear, angular, *moving]
             return np.concatenate(rates)
 
         begin = [start.position, start.attitude, start.velocity, start.omega]
-        x = np.concatenate([*begin, start.bends, start.rates])
+        x = np.concatenate([*begin, start.bends.ravel(), start.rates.ravel()])
         for _ in range(round(until / step)):
             k1 = slope(x)
             k2 = slope(x + 0.5 * step * k1)
@@ -244,13 +250,15 @@ class InPinocchio:
         model.appendBodyToJoint(base, body, pin.SE3.Identity())
         self.joints, self.levers = [], []
         for k, limb in enumerate(craft.limbs):
-            slides = limb.kind == "slide"
-            at = limb.end if slides else limb.point
-            kind: Any = (
-                pin.JointModelPrismaticUnaligned if slides else pin.JointModelRevoluteUnaligned
-            )
-            placed = pin.SE3(np.eye(3), at)
-            joint = model.addJoint(base, kind(limb.axis), placed, f"arm {k + 1}")
+            joint, at = base, np.zeros(3)
+            for number, one in enumerate(limb.chain):
+                slides = one.kind == "slide"
+                placed = pin.SE3(np.eye(3), (one.end if slides else one.point) - at)
+                at = one.end if slides else one.point
+                kind: Any = (
+                    pin.JointModelPrismaticUnaligned if slides else pin.JointModelRevoluteUnaligned
+                )
+                joint = model.addJoint(joint, kind(one.axis), placed, f"arm {k + 1} {number}")
             lever = limb.end - at
             mass = pin.Inertia(limb.mass, lever, np.zeros((3, 3)))
             model.appendBodyToJoint(joint, mass, pin.SE3.Identity())
@@ -263,8 +271,8 @@ class InPinocchio:
         r = now.rotation
         acting = with_springs_between(self.craft, loads(self.craft, now, scene))
         x, y, z, w = Rotation.from_matrix(r).as_quat()
-        q = np.concatenate([now.position, [x, y, z, w], now.bends])
-        v = np.concatenate([r.T @ now.velocity, now.omega, now.rates])
+        q = np.concatenate([now.position, [x, y, z, w], now.bends.ravel()])
+        v = np.concatenate([r.T @ now.velocity, now.omega, now.rates.ravel()])
         external: Any = pin.StdVec_Force()
         for _ in range(self.model.njoints):
             external.append(pin.Force.Zero())
@@ -272,8 +280,8 @@ class InPinocchio:
             axes = r @ limb.turn(now.bends[k])
             force, moment = axes.T @ acting.force[k], axes.T @ acting.moment[k]
             external[joint] = pin.Force(force, moment + np.cross(self.levers[k], force))
-        tau = np.concatenate([np.zeros(6), acting.joint])
+        tau = np.concatenate([np.zeros(6), acting.joint.ravel()])
         a = pin.aba(self.model, self.data, q, v, tau, external)
         # Pinocchio's velocity is in body axes: v = R v_b, so v̇ = R (a_b + ω × v_b).
         linear = r @ (a[:3] + np.cross(now.omega, v[:3]))
-        return Second(linear, a[3:6], a[6:])
+        return Second(linear, a[3:6], a[6:].reshape(now.bends.shape))

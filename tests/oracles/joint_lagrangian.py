@@ -53,12 +53,12 @@ class Limb:
             return 1.0
         return float(np.linalg.norm(np.cross(self.axis, self.end - self.point)))
 
-    def turn(self, c: float) -> Array:
+    def turn(self, c: Any) -> Array:
         """Axes of what is at the end, to body axes."""
         about = c * self.axis if self.kind == "hinge" else np.zeros(3)
         return np.asarray(Rotation.from_rotvec(about).as_matrix())
 
-    def place(self, c: float) -> Array:
+    def place(self, c: Any) -> Array:
         """Of the end, body axes [m]."""
         if self.kind == "slide":
             return self.end + c * self.axis
@@ -70,7 +70,30 @@ class Limb:
             return self.axis
         return np.cross(self.axis, self.place(c) - self.point)
 
-    def spring_force(self, c: float, rate: float) -> float:
+    @property
+    def chain(self) -> tuple[Limb, ...]:
+        """Its joints, from the main body on."""
+        return (self,)
+
+    def motion(self, c: Any, rate: Any) -> Array:
+        """Velocity of the end as seen from the body, body axes [m/s]."""
+        return np.asarray(rate * self.slope(c))
+
+    def spin(self, c: Any, rate: Any) -> Array:
+        """Angular velocity of what is at the end as seen from the body, body axes [rad/s]."""
+        return np.asarray((rate if self.kind == "hinge" else 0.0) * self.axis)
+
+    def mirrored(self) -> Limb:
+        """The arm seen in a mirror, y → −y; its rotor then spins the other way."""
+        return replace(
+            self,
+            end=self.end * ACROSS,
+            axis=self.axis * (ACROSS if self.kind == "slide" else AROUND),
+            point=self.point * ACROSS,
+            torque_ratio=-self.torque_ratio,
+        )
+
+    def spring_force(self, c: Any, rate: Any) -> Any:
         """Spring and damper as a force on c."""
         spring = self.stiffness * c + self.quadratic * c * abs(c) + self.preload
         holds, opens = self.latch
@@ -145,7 +168,7 @@ class Cloud:
         for limb, c, rate in zip(craft.limbs, now.bends, now.rates, strict=True):
             lever = r @ limb.place(c)
             places.append(now.position + lever)
-            velocities.append(now.velocity + np.cross(omega, lever) + rate * r @ limb.slope(c))
+            velocities.append(now.velocity + np.cross(omega, lever) + r @ limb.motion(c, rate))
         self.places, self.velocities = np.array(places), np.array(velocities)
         self.spin = r @ craft.inertia @ now.omega
         self.turning = 0.5 * float(now.omega @ craft.inertia @ now.omega)
@@ -226,16 +249,7 @@ AROUND = -ACROSS  # of an axis of rotation, an angular velocity or a torque
 
 def mirrored(craft: Craft, now: Pose) -> tuple[Craft, Pose]:
     """Everything seen in a mirror, y → −y; rotors then spin the other way."""
-    limbs = tuple(
-        replace(
-            limb,
-            end=limb.end * ACROSS,
-            axis=limb.axis * (ACROSS if limb.kind == "slide" else AROUND),
-            point=limb.point * ACROSS,
-            torque_ratio=-limb.torque_ratio,
-        )
-        for limb in craft.limbs
-    )
+    limbs = tuple(limb.mirrored() for limb in craft.limbs)
     seen = Pose(
         position=now.position * ACROSS,
         attitude=now.attitude * np.array([1.0, *AROUND]),
@@ -320,7 +334,7 @@ def _lagrange(kinetic: Any, potential: Any, force: Any, arguments: Any) -> Any:
 
 
 @functools.cache
-def _body_equations() -> Any:
+def body_equations() -> Any:
     m_b, ixx, iyy, izz, ixy, ixz, iyz, g = BODY
     inertia = sp.Matrix([[ixx, ixy, ixz], [ixy, iyy, iyz], [ixz, iyz, izz]])
     omega, p = angular_velocity(), Q[:3, 0]
@@ -399,7 +413,7 @@ def _arm_equations(kind: str) -> Any:
 
 
 @functools.cache
-def _turning() -> Any:
+def turning() -> Any:
     """W (3, 3) with ω = W η̇, and Ẇ η̇ (3, 1)."""
     omega, eta, rates = angular_velocity(), Q[3:6, 0], U[3:6, 0]
     return sp.lambdify(
@@ -417,12 +431,12 @@ def accelerations(craft: Craft, now: Pose, pushes: Array | None = None) -> Secon
     """
     psi, theta, phi = Rotation.from_quat(now.attitude, scalar_first=True).as_euler("ZYX")
     eta = (phi, theta, psi)
-    w, _ = _turning()(*eta, 0.0, 0.0, 0.0)
+    w, _ = turning()(*eta, 0.0, 0.0, 0.0)
     rates = np.linalg.solve(w, now.omega)
     q, u = [*now.position, *eta], [*now.velocity, *rates]
     i = craft.inertia
     moments = [i[0, 0], i[1, 1], i[2, 2], i[0, 1], i[0, 2], i[1, 2]]
-    body = _body_equations()(*q, 0.0, *u, 0.0, craft.body_mass, *moments, craft.gravity)
+    body = body_equations()(*q, 0.0, *u, 0.0, craft.body_mass, *moments, craft.gravity)
 
     size = 6 + len(craft.limbs)
     mass, right = np.zeros((size, size)), np.zeros(size)
@@ -438,5 +452,5 @@ def accelerations(craft: Craft, now: Pose, pushes: Array | None = None) -> Secon
     right[6:] += _all_between(craft, now)
     right += 0.0 if pushes is None else pushes
     second = np.linalg.solve(mass, right)
-    w, drift = _turning()(*eta, *rates)
+    w, drift = turning()(*eta, *rates)
     return Second(second[:3], w @ second[3:6] + drift[:, 0], second[6:])

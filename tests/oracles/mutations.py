@@ -28,9 +28,10 @@ from pathlib import Path
 if not __package__:  # as a program
     sys.path.insert(0, str(Path(__file__).parents[1]))
 from oracles.mutated_lines import MUTATED_LINES, Mutation
+from oracles.mutations_of_bent_arms import MUTATIONS_OF_BENT_ARMS
 from oracles.mutations_of_rotors import MUTATIONS_OF_ROTORS
 
-MUTATIONS = (*MUTATED_LINES, *MUTATIONS_OF_ROTORS)
+MUTATIONS = (*MUTATED_LINES, *MUTATIONS_OF_ROTORS, *MUTATIONS_OF_BENT_ARMS)
 ROOT = Path(__file__).parents[2]
 #: Tests that take longer have noticed: a flight does not end [s].
 PATIENCE = 600.0

@@ -11,10 +11,11 @@ from springback.kernels.vectors import Quat, Vec
 from springback.results.energy_history import HELD, LOST, ledger
 from springback.results.flight import Flight, fly
 from springback.results.motion import angular_acceleration
+from springback.vehicle.arms.bent import BentArm, BentCoordinates, bent_pose
 from springback.vehicle.arms.joints import joint_pose
 from springback.vehicle.arms.paths import arm_path, free_end_along
 from springback.vehicle.library import ARQ
-from springback.vehicle.state import State
+from springback.vehicle.state import Bend, State
 
 HINGE = {
     "type": "hinge", "position": [0.06, 0.01, 0.01], "axis": [0.3, 0.5, 0.8],
@@ -25,7 +26,11 @@ SLIDE = {
     "type": "slide", "direction": [-1.0, 0.0, 1.0], "travel": [0.0, 0.012], "damping": 10.0,
     "table": [[0.0, 0.0], [0.004, 4.0], [0.02, 90.0]], "preload": 3.0,
 }  # fmt: skip
-JOINTS = {"hinge": HINGE, "slide": SLIDE}
+SECOND = {
+    "type": "hinge", "position": [0.08, 0.0, 0.0], "axis": [0.1, 1.0, -0.2],
+    "travel": ["-3 deg", "3 deg"], "stiffness": "2 N m/rad", "damping": 0.02,
+}  # fmt: skip
+JOINTS = {"hinge": HINGE, "slide": SLIDE, "hinges": {**HINGE, "second": SECOND}}
 
 
 def tables(joint: dict[str, Any]) -> dict[str, Any]:
@@ -41,7 +46,7 @@ def tables(joint: dict[str, Any]) -> dict[str, Any]:
     }  # fmt: skip
 
 
-@pytest.fixture(scope="module", params=["hinge", "slide"])
+@pytest.fixture(scope="module", params=["hinge", "slide", "hinges"])
 def flight(request: pytest.FixtureRequest) -> Flight:
     return fly(tables(JOINTS[request.param]))
 
@@ -52,21 +57,31 @@ def state_at(flight: Flight, k: int) -> State:
         Vec(c["x"], c["y"], c["z"]), Quat(c["qw"], c["qx"], c["qy"], c["qz"]),
         Vec(c["vx"], c["vy"], c["vz"]), Vec(c["wx"], c["wy"], c["wz"]),
         tuple(c[f"l{j}"] for j in range(1, 5)), tuple(c[f"dl{j}"] for j in range(1, 5)),
+        bends=tuple(Bend(c[f"bend{j}"], c[f"dbend{j}"]) for j in range(1, 5) if "bend1" in c),
     )  # fmt: skip
+
+
+def path_of(arm: Any, length: float, way: float) -> tuple[Any, Any, Any]:
+    """By the equations: end of an arm, its direction, and how what is there is turned."""
+    if isinstance(arm, BentArm):
+        bent = bent_pose(arm, BentCoordinates(length, way), 0.0)
+        return bent.end, bent.first, bent.turn
+    there = joint_pose(arm, length, 0.0)
+    return there.end, there.direction, there.turn
 
 
 def test_paths_of_many_lengths_are_those_of_the_equations(flight: Flight) -> None:
     arms = flight.scenario.flight_model().airframe.arms
-    lengths = np.linspace(0.15, 0.23, 9)
+    lengths, ways = np.linspace(0.15, 0.23, 9), np.linspace(0.03, -0.05, 9)
     for arm in (arms[0], arms[2]):
-        path = arm_path(arm, lengths)
+        path = arm_path(arm, lengths, ways)
         for k in (0, 3, 4, 8):
-            there = joint_pose(arm, float(lengths[k]), 0.0)
-            assert path.end[k] == pytest.approx(tuple(there.end), abs=1e-15), k
-            assert path.direction[k] == pytest.approx(tuple(there.direction), abs=1e-15), k
-            assert path.turn[k] == pytest.approx(np.array(there.turn), abs=1e-15), k
-        along = Vec(0.6, 0.0, 0.8)
-        assert free_end_along(arm, along) == pytest.approx(path.end[4] @ [0.6, 0.0, 0.8])
+            end, direction, turn = path_of(arm, float(lengths[k]), float(ways[k]))
+            assert path.end[k] == pytest.approx(tuple(end), abs=1e-15), k
+            assert path.direction[k] == pytest.approx(tuple(direction), abs=1e-15), k
+            assert path.turn[k] == pytest.approx(np.array(turn), abs=1e-15), k
+        along, free = Vec(0.6, 0.0, 0.8), arm_path(arm, lengths).end[4]
+        assert free_end_along(arm, along) == pytest.approx(free @ [0.6, 0.0, 0.8])
 
 
 def test_the_path_of_an_arm_in_the_plane_is_its_direction() -> None:
@@ -108,7 +123,7 @@ def test_the_kinetic_energy_is_that_of_its_points(flight: Flight) -> None:
     whole = 0.5 * np.einsum("ti,ij,tj->t", spin, inertia, spin) + 0.5 * np.sum(velocity**2, 1)
     middle = 0.5 * (whole[1:] + whole[:-1])
     for j, arm in enumerate(airframe.arms, start=1):
-        end = place + turn.apply(arm_path(arm, c[f"l{j}"]).end)
+        end = place + turn.apply(arm_path(arm, c[f"l{j}"], c.get(f"bend{j}")).end)
         speed = np.diff(end, axis=0) / np.diff(t)[:, None]
         middle = middle + 0.5 * arm.mass * np.sum(speed**2, 1)
     books, fine = ledger(flight), np.diff(t) < 1.5e-4

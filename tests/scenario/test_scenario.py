@@ -194,6 +194,14 @@ def test_a_run_up_begins_where_the_vehicle_does_unless_it_has_a_start_of_its_own
     assert "reference.start is 1 m from start.position" in scenario_warnings(own)[0]
 
 
+def test_a_run_up_has_time_to_arrive_unless_told_how_long() -> None:
+    """Half a second is for a throw; the run-up alone takes longer."""
+    assert as_scenario(RUN_UP).simulation.duration == 6.0
+    assert as_scenario({**RUN_UP, "simulation": {"free_step": 2e-3}}).simulation.duration == 6.0
+    assert as_scenario(RUN_UP, ("simulation.duration=0.3 s",)).simulation.duration == 0.3
+    assert as_scenario({"vehicle": "arq"}).simulation.duration == 0.5
+
+
 def test_a_run_up_turns_away_from_a_yaw_at_the_start_and_says_so() -> None:
     turned = as_scenario(RUN_UP, ("start.yaw=45deg",))
     [said] = scenario_warnings(turned)

@@ -1,4 +1,4 @@
-"""Arms on joints, latched and tied to each other, with whatever they can meet, pairwise."""
+"""Arms on one joint or two, latched and tied to each other, with whatever they can meet, pairwise."""
 
 from __future__ import annotations
 
@@ -41,6 +41,39 @@ JOINTS: dict[str, dict[str, Any] | None] = {
         "type": "hinge", "position": ["60 mm", 0, 0], "axis": [0, 0, 1], "damping": 0.05,
         "travel": [0, "60 deg"], "stiffness": "2 N m/rad",
         "latch": {"torque": "1.5 N m", "travel": "1 deg"},
+    },
+    "universal": {
+        "type": "hinge", "position": ["60 mm", 0, 0], "axis": [0, 0, 1], "damping": 0.02,
+        "travel": ["-60 deg", "60 deg"], "stiffness": [4, 5, 6, 7],
+        "second": {
+            "type": "hinge", "position": ["60 mm", 0, 0], "axis": [0, 1, 0], "damping": 0.01,
+            "travel": ["-0.5 deg", "40 deg"], "stiffness": "4 N m/rad", "play": "0.1 deg",
+        },
+    },
+    "apart": {
+        "type": "hinge", "position": ["60 mm", 0, 0], "axis": [0, 1, 0], "damping": 0.02,
+        "travel": ["-30 deg", "60 deg"], "quadratic": "20 N m/rad^2", "rotors": "body",
+        "second": {
+            "type": "hinge", "position": ["90 mm", "5 mm", 0], "axis": [0.2, 0.1, 1],
+            "travel": [0, "50 deg"], "stiffness": "3 N m/rad", "damping": 0.02,
+            "latch": {"torque": "0.8 N m", "travel": "1 deg"},
+        },
+    },
+    "hinge on a slide": {
+        "type": "slide", "travel": [0, "40 mm"], "stiffness": "5 N/mm", "damping": 10,
+        "preload": "4 N",
+        "second": {
+            "type": "hinge", "position": ["60 mm", 0, 0], "axis": [0, 1, 0], "damping": 0.02,
+            "travel": ["-40 deg", "40 deg"], "table": [[0, 0], ["5 deg", 0.5], ["40 deg", 6]],
+        },
+    },
+    "slide on a hinge": {
+        "type": "hinge", "position": ["60 mm", 0, 0], "axis": [0, 0, 1], "damping": 0.02,
+        "travel": ["-60 deg", "60 deg"], "stiffness": "5 N m/rad",
+        "second": {
+            "type": "slide", "travel": [0, "1 mm"], "stiffness": "4 N/mm", "one_sided": True,
+            "preload": "3 N", "damping": 10,
+        },
     },
 }  # fmt: skip
 LAWS: dict[str, dict[str, Any]] = {
@@ -135,7 +168,7 @@ COMBINATIONS = _pairwise()
 
 
 def test_every_pair_of_choices_is_flown() -> None:
-    assert 30 <= len(COMBINATIONS) <= 60
+    assert 50 <= len(COMBINATIONS) <= 80
 
 
 @pytest.mark.parametrize("combination", COMBINATIONS, ids="-".join)
@@ -155,6 +188,7 @@ def test_every_combination_flies(combination: tuple[str, ...]) -> None:
         ("preloaded", "hunt-crossley", "always-free", "free", "cages", "wall", "alone"),
         ("latched", "hunt-crossley", "hybrid", "free", "cages", "wall", "springs"),
         ("planar", "hunt-crossley", "hybrid", "free", "cages", "wall", "springs"),
+        ("universal", "hunt-crossley", "hybrid", "pilot", "cages", "wall", "springs"),
     ],
     ids="-".join,
 )

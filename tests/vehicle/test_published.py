@@ -10,6 +10,7 @@ import pytest
 from builders.cases import nonempty
 from springback.kernels.vectors import Quat, Vec, rotation
 from springback.results.flight import Flight, fly
+from springback.vehicle.arms.bent import BentCoordinates
 from springback.vehicle.library import OF_OTHERS, VEHICLES
 from springback.vehicle.state import arm_pose
 
@@ -36,7 +37,11 @@ def momentum_of(flight: Flight) -> float:
     speed, omega = (Vec(*(float(c[f"{stem}{axis}"][-1]) for axis in "xyz")) for stem in "vw")
     total = vehicle.body.mass * speed.x
     for j, arm in enumerate(vehicle.airframe().arms, start=1):
-        pose = arm_pose(arm, float(c[f"l{j}"][-1]), float(c[f"dl{j}"][-1]), speed @ r)
+        at: list[Any] = [float(c[f"{kind}{j}"][-1]) for kind in ("l", "dl")]
+        if f"bend{j}" in c:
+            ends = [float(c[f"{kind}{j}"][-1]) for kind in ("bend", "dbend")]
+            at = [BentCoordinates(*both) for both in zip(at, ends, strict=True)]
+        pose = arm_pose(arm, *at, speed @ r)
         total += arm.mass * (r @ (pose.sliding + (omega ^ pose.lever))).x
     return total
 

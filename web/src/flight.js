@@ -26,6 +26,7 @@ export function flightOf(scene) {
     position: unpacked(scene.position),
     attitude: unpacked(scene.attitude),
     armLength: unpacked(scene.arm_length),
+    bends: unpacked(scene.bends), // empty without second joints
     thrust: unpacked(scene.thrust),
     force: unpacked(scene.force.of),
     point: unpacked(scene.point.of),
@@ -94,6 +95,7 @@ export function poseAt(flight, time) {
     position: many(flight.position, 3),
     quaternion: turned(flight.attitude),
     armLengths: many(flight.armLength, arms),
+    bends: flight.bends.length ? many(flight.bends, arms) : [],
     thrust: many(flight.thrust, flight.rotors.length),
     contacts,
     bodies: flight.bodies.map((one) => ({ position: many(one.position, 3), quaternion: turned(one.attitude) })),
@@ -125,6 +127,7 @@ export function estimateAt(flight, time) {
     position: ["x", "y", "z"].map((axis) => value(`est_${axis}`)),
     quaternion: q.map((x) => x / norm),
     armLengths: flight.arms.map((arm, j) => value(`hall${j + 1}`, arm.length)),
+    bends: [],
     thrust: flight.rotors.map(() => 0),
     contacts: [],
   };

@@ -190,7 +190,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, action
       const pose = poseAt(flight, state.t);
       const find = (panel) => flight.series.find((one) => one.panel === panel);
       const value = (panel) => (find(panel) ? valueAt({ flight, values: find(panel).values }, state.t) : 0);
-      const pressed = Math.max(0, ...flight.arms.map((arm, j) => (arm.compliant ? 1e3 * given(arm, pose.armLengths[j]) : 0)));
+      const pressed = Math.max(0, ...flight.arms.map((arm, j) => (arm.compliant ? 1e3 * given(arm, pose.armLengths[j], pose.bends[j]) : 0)));
       const force = Math.hypot(...[0, 1, 2].map((c) => pose.contacts.reduce((sum, one) => sum + (one ? one.force[c] : 0), 0)));
       const numbers = [value("Velocity"), value("Acceleration"), pressed, force, pose.thrust.reduce((a, b) => a + b, 0)];
       const rigid = !flight.arms.some((arm) => arm.compliant);

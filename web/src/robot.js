@@ -146,9 +146,10 @@ export class Robot {
     if (parts.hung) {
       tip.rotation.z = azimuth;
       if (!arm.compliant) this.#strut(path.start, 0.007, tools);
+      else if (path.second) parts.middle = this.#onTwo(path, tools);
       else if (path.isHinge) this.#hinge(path, tools);
       else Object.assign(parts, this.#slide(arm, path, tools));
-      parts.latches = arm.latch.map((latch) => this.#latch(latch, path, { ...tools, paint, colours }));
+      parts.latches = arm.latch.map((latch) => this.#latch(latch, path, { ...tools, end: parts.middle ?? end, paint, colours }));
     } else {
       frame.rotation.z = azimuth;
       Object.assign(parts, this.#planar(arm, tools));
@@ -267,6 +268,36 @@ export class Robot {
     end.add(laid(arm, new THREE.Vector3(), back));
   }
 
+  /** Two joints: a strut to the first pin, an arm from there to the second one, and the arm beyond it. */
+  #onTwo(path, { frame, end, metal, dark, own, unit }) {
+    const middle = new THREE.Group(); // turned by the first joint alone, about where the free end is then
+    frame.add(middle);
+    const pin = (one, parent, place) => {
+      const bolt = new THREE.Mesh(new THREE.CylinderGeometry(0.0105 * unit, 0.0105 * unit, 0.028 * unit, 20), dark);
+      bolt.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), one.axis.clone().normalize());
+      bolt.position.copy(place);
+      parent.add(bolt);
+    };
+    const outer = path.second;
+    const foot = path.isHinge ? path.anchor : new THREE.Vector3();
+    if (path.isHinge) {
+      this.#strut(path.anchor, 0.0075, { frame, metal, unit });
+      pin(path, frame, path.anchor);
+    }
+    const from = path.anchor.clone().sub(path.start);
+    const to = outer.isHinge ? outer.anchor.clone().sub(path.start) : new THREE.Vector3();
+    if (outer.isHinge) pin(outer, middle, to);
+    const span = (begin, stop, parent) => {
+      const tube = new THREE.Mesh(rod(0.006 * unit), own);
+      tube.scale.x = Math.max(begin.distanceTo(stop), 1e-6);
+      parent.add(laid(tube, begin, stop));
+    };
+    if (path.isHinge) span(from, to, middle);
+    else span(foot, path.start.clone().add(to), frame); // along which it slides
+    if (outer.isHinge) span(new THREE.Vector3(), to, end);
+    return middle;
+  }
+
   /** A latch: a face on what moves, and one before it on the main body, held from the joint. */
   #latch(latch, path, { frame, end, metal, unit, paint, colours }) {
     const face = new THREE.Vector3(...latch.face);
@@ -327,12 +358,15 @@ export class Robot {
     const touching = new Set(pose.contacts.filter(Boolean).map((one) => one.part));
     this.arms.forEach((arm, j) => {
       const length = magnified === 1 ? pose.armLengths[j] : arm.free - stretched(magnified * (arm.free - pose.armLengths[j]), arm);
-      if (arm.hung) arm.path.at(length, arm.end.position, arm.end.quaternion);
+      const bend = magnified === 1 ? (pose.bends[j] ?? 0) : stretched(magnified * (pose.bends[j] ?? 0), arm);
+      if (arm.hung) arm.path.at(length, arm.end.position, arm.end.quaternion, bend);
       else arm.end.position.x = length;
+      if (arm.middle) arm.path.at(length, arm.middle.position, arm.middle.quaternion);
       for (const latch of arm.latches ?? []) {
         latch.glow.color.copy(arm.free - pose.armLengths[j] > latch.travel ? this.open : this.shut);
       }
       arm.shown = length;
+      arm.bend = bend;
       if (arm.coil) arm.coil.scale.x = Math.max(length - arm.collar - arm.seat, 0.004);
       arm.cagePaint.color.set(touching.has(j) ? this.flight.glow : this.flight.colour);
     });
@@ -344,7 +378,7 @@ export class Robot {
       one.thrust.scale.z = Math.max(bar, 1e-3);
     });
     for (const { coil, first, second, from, to, way } of this.springs) {
-      for (const [j, place] of [[first, from], [second, to]]) this.arms[j].path.at(this.arms[j].shown, place);
+      for (const [j, place] of [[first, from], [second, to]]) this.arms[j].path.at(this.arms[j].shown, place, null, this.arms[j].bend);
       const length = way.copy(to).sub(from).length();
       coil.position.copy(from);
       coil.quaternion.setFromUnitVectors(AHEAD, way.divideScalar(Math.max(length, 1e-6)));

@@ -249,7 +249,7 @@ export class Shadow {
     const level = this.level + 0.003;
     this.body.position.set(pose.position[0], pose.position[1], level);
     this.cages.forEach((cage, j) => {
-      this.paths[j].at(pose.armLengths[j], this.at);
+      this.paths[j].at(pose.armLengths[j], this.at, null, pose.bends[j]);
       this.at.applyQuaternion(this.turn);
       cage.position.set(pose.position[0] + this.at.x, pose.position[1] + this.at.y, level);
     });

@@ -19,7 +19,12 @@ from typing import Any, NamedTuple
 from springback.batch.scenarios import fly_scenarios
 from springback.errors import InputError
 from springback.files import json_text, write_atomically
-from springback.kernels.compiler import cache_folder, is_writable, source_digest
+from springback.kernels.compiler import (
+    cache_folder,
+    is_writable,
+    packaged_kinds,
+    state_digest,
+)
 from springback.kernels.layout import structure
 from springback.results.flight import fly
 from springback.results.sealed_json import digest_of
@@ -54,7 +59,7 @@ class CompilerTime(NamedTuple):
     recorded: bool
     """False if it is a typical time."""
     cached: bool
-    """True if its kernels are in the cache, as far as the record says."""
+    """True if its kernels are in the cache, as far as the record says, or came with the package."""
 
 
 def flight_kinds(tables: Sequence[Mapping[str, Any]], *, alone: bool = False) -> list[FlightKind]:
@@ -93,6 +98,11 @@ def kernel_files() -> set[Path]:
     return {*folder.glob("*.kernel"), *_root().glob("own/*/*.kernel")}
 
 
+def is_packaged(kind: FlightKind) -> bool:
+    """True if all kernels of a kind of flight came with the package, and fit."""
+    return kind.key in packaged_kinds()
+
+
 def compiler_time(kind: FlightKind, code: Mapping[str, str]) -> CompilerTime:
     """What the record says about a kind of flight, without compiling anything.
 
@@ -100,12 +110,12 @@ def compiler_time(kind: FlightKind, code: Mapping[str, str]) -> CompilerTime:
         kind: The kind.
         code: SHA-256 of the user's own files that its flights need, by path.
     """
-    entry = _record().get(kind.key)
+    entry, packaged = _record().get(kind.key), is_packaged(kind)
     if entry is None:
-        return CompilerTime(TYPICAL[kind.guided], False, False)
+        return CompilerTime(TYPICAL[kind.guided], False, packaged)
     files = [_root() / name for name in entry["files"]]
-    there = all(map(_exists, files)) if files else bool(kernel_files())
-    cached, seconds = there and entry["state"] == _state(code), entry["seconds"]
+    there = all(map(_exists, files)) if files else bool(kernel_files() or packaged_kinds())
+    cached, seconds = packaged or (there and entry["state"] == _state(code)), entry["seconds"]
     known = seconds is not None
     return CompilerTime(seconds if known else TYPICAL[kind.guided], known, cached)
 
@@ -126,7 +136,7 @@ def compile_kind(kind: FlightKind, code: Mapping[str, str]) -> float:
     else:
         fly_scenarios([kind.tables])
     took, new = time.process_time() - begun, kernel_files() - before
-    loaded = not new and is_writable(cache_folder())
+    loaded = not new and (is_packaged(kind) or is_writable(cache_folder()))
     known = _record()
     earlier = known.pop(kind.key, None)
     entry = {
@@ -167,7 +177,7 @@ def _root() -> Path:
 
 def _state(code: Mapping[str, str]) -> str:
     """Digest of the source that compiled code follows from."""
-    return f"{source_digest()} {digest_of(dict(code))}"
+    return f"{state_digest()} {digest_of(dict(code))}"
 
 
 def _record() -> dict[str, dict[str, Any]]:

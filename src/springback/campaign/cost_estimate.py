@@ -19,6 +19,7 @@ from springback.campaign.compiler_times import (
     compile_kind,
     compiler_time,
     flight_kinds,
+    is_packaged,
     kernel_files,
 )
 from springback.campaign.design.layout import Design
@@ -56,7 +57,8 @@ class CostEstimate:
     compiled: bool
     """True if kernels had to be compiled for these flights, which are cached from now on."""
     cached: bool
-    """True if kernels can be cached on this machine; else every worker compiles them."""
+    """True if kernels can be cached on this machine, or came with the package; else every worker
+    compiles them."""
     setup: float
     """Time to compile the kernels or, if they were cached, to load them [s]."""
     compiling: float
@@ -163,7 +165,8 @@ def cost_estimate(
     took = [compile_kind(kind, design.code) for kind in kinds]
     fly_scenarios(tables, threads=1)
     first = time.perf_counter() - begun
-    compiled, cached = bool(kernel_files() - known), is_writable(cache_folder())
+    compiled = bool(kernel_files() - known)
+    cached = is_writable(cache_folder()) or all(is_packaged(kind) for kind in kinds)
     begun, used = time.perf_counter(), time.process_time()
     ended = fly_scenarios(tables, threads=1)
     # Time of the processor, as other work would have slowed down the clock's.

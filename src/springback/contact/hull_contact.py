@@ -26,6 +26,7 @@ from springback.contact.loads import CageContact, face_contact
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import fold, minimum, one_tuple, tree_map
 from springback.kernels.vectors import Vec
+from springback.vehicle.arms.bent import BentArm, bent_pose
 from springback.vehicle.arms.joints import JointedArm, joint_pose
 from springback.vehicle.state import (
     Arm,
@@ -213,7 +214,7 @@ def body_sight(obstacles: Any, state: State, ahead: float) -> BodySight:
 
 
 @generic
-def arm_sight(arm: Any, length: float, rate: float, around: BodySight) -> ArmSight:
+def arm_sight(arm: Any, length: Any, rate: Any, around: BodySight) -> ArmSight:
     """What an arm sees at a length [m] that changes at a rate [m/s]."""
     raise TypeError(f"{type(arm).__name__} is not an arm")
 
@@ -238,6 +239,22 @@ def _of_joint(arm: JointedArm, length: float, rate: float, around: BodySight) ->
     r = body.r @ turn
     slides = body.velocity + rate * there.direction - (spin ^ there.end)
     pose = ArmPose(there.direction @ turn, there.end @ turn, slides @ turn)
+    turned = BodyMotion(
+        body.position, r, body.velocity @ turn, (body.omega + spin) @ turn, body.vertical @ turn,
+        body.ahead,
+    )  # fmt: skip
+    return ArmSight(pose, obstacles_in_body_frame(around.there, body.position, r), turned)
+
+
+@arm_sight.register(BentArm)
+@kernel
+def _of_two_joints(arm: BentArm, length: Any, rate: Any, around: BodySight) -> ArmSight:
+    """As of a hinged arm: what is at the end turns by the angular velocities of both joints."""
+    there, body = bent_pose(arm, length, rate), around.body
+    turn, spin = there.turn, there.spin
+    r = body.r @ turn
+    slides = body.velocity + there.velocity - (spin ^ there.end)
+    pose = ArmPose(there.first @ turn, there.end @ turn, slides @ turn)
     turned = BodyMotion(
         body.position, r, body.velocity @ turn, (body.omega + spin) @ turn, body.vertical @ turn,
         body.ahead,

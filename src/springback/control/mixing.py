@@ -13,6 +13,7 @@ from springback.control.target import Wrench
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import maximum, minimum, tree_map, tree_sum
 from springback.kernels.vectors import Vec, within
+from springback.vehicle.arms.bent import BentArm, bent_pose, bent_thrust_direction
 from springback.vehicle.arms.joints import JointedArm, joint_pose, thrust_direction
 from springback.vehicle.placed.rotors import (
     PlacedRotor,
@@ -79,6 +80,15 @@ def rotor_effect(arm: Any, length: float) -> Effect:
 def _on_joint(arm: JointedArm, length: float) -> Effect:
     there = joint_pose(arm, length, 0.0)
     up = thrust_direction(arm, there)
+    moment = (there.end ^ up) + arm.torque_ratio * up
+    return Effect(up.z, moment.x, moment.y, moment.z)
+
+
+@rotor_effect.register(BentArm)
+@kernel
+def _on_two_joints(arm: BentArm, length: Any) -> Effect:
+    there = bent_pose(arm, length, 0.0)
+    up = bent_thrust_direction(arm, there)
     moment = (there.end ^ up) + arm.torque_ratio * up
     return Effect(up.z, moment.x, moment.y, moment.z)
 

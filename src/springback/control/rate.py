@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import tree_map, tree_sum
 from springback.kernels.vectors import Mat3, Vec, axiswise, positive_part, within
+from springback.vehicle.arms.bent import BentArm, bent_pose
 from springback.vehicle.arms.joints import JointedArm, joint_pose, point_inertia
 from springback.vehicle.state import Airframe, Arm, arms_inertia
 
@@ -57,6 +58,12 @@ def second_moment(arm: Any, length: float) -> Any:
 @kernel
 def _of_joint(arm: JointedArm, length: float) -> Mat3:
     return point_inertia(arm.mass, joint_pose(arm, length, 0.0).end)
+
+
+@second_moment.register(BentArm)
+@kernel
+def _of_two_joints(arm: BentArm, length: Any) -> Mat3:
+    return point_inertia(arm.mass, bent_pose(arm, length, 0.0).end)
 
 
 @second_moment.register(Arm)

@@ -17,7 +17,14 @@ from springback.kernels.trees import minimum, one_tuple, tree_map
 from springback.kernels.vectors import Vec
 from springback.vehicle.placed.rotors import PlacedRotor, PlacedRotors, RotorPose, poses_at
 from springback.vehicle.rotor_stop import AT_HIT
-from springback.vehicle.state import Airframe, ArmPose, Propeller, State
+from springback.vehicle.state import (
+    Airframe,
+    ArmPose,
+    Propeller,
+    State,
+    coordinates_of_arms,
+    rates_of_arms,
+)
 
 
 @kernel
@@ -57,7 +64,8 @@ def gaps_of_discs(
 ) -> tuple[tuple[float, ...], ...]:
     """As `disc_gaps`, by the list of rotors; without one those at the ends of arms."""
     around = body_sight(world.obstacles, state, 0.0)
-    arms = (airframe.arms, state.arm_length, state.arm_rate)
+    lengths = coordinates_of_arms(airframe.arms[0], state)
+    arms = (airframe.arms, lengths, rates_of_arms(airframe.arms[0], state))
     return tree_map(_of_propeller, arms, (around, looks))
 
 
@@ -78,7 +86,7 @@ def _of_all_listed(
     rotors: PlacedRotors, airframe: Airframe, world: World, state: State, looks: float
 ) -> tuple[tuple[float, ...], ...]:
     around = body_sight(world.obstacles, state, 0.0)
-    poses = poses_at(rotors, airframe.arms, state.arm_length)
+    poses = poses_at(rotors, airframe.arms, coordinates_of_arms(airframe.arms[0], state))
     return tree_map(_of_listed, (rotors.each, poses), (around, looks))
 
 
@@ -128,7 +136,8 @@ def clearance(airframe: Airframe, world: World, contact_point: Any, state: State
         state: State of the vehicle.
     """
     around = body_sight(world.obstacles, state, 0.0)
-    arms = (airframe.arms, state.arm_length, state.arm_rate)
+    lengths = coordinates_of_arms(airframe.arms[0], state)
+    arms = (airframe.arms, lengths, rates_of_arms(airframe.arms[0], state))
     cages = tree_map(_of_arm, arms, (contact_point, around))
     return minimum(cages + tree_map(hull_gap, (airframe.hull,), (around.obstacles,)))
 

@@ -30,16 +30,20 @@ from springback.kernels.vectors import (
     rotation,
     solve_symmetric,
 )
+from springback.vehicle.arms.bent import BentArm, BentCoordinates, bent_pose
 from springback.vehicle.arms.joints import JointedArm, joint_pose, joint_spring, point_inertia
 from springback.vehicle.arms.neighbours import neighbour_energy
 from springback.vehicle.state import (
     Airframe,
     Arm,
+    Bend,
     PartMemory,
     Shell,
     State,
     arm_direction,
     arms_inertia,
+    coordinates_of_arms,
+    rates_of_arms,
     upper_stop,
 )
 
@@ -76,17 +80,36 @@ def _arm_energy(
     velocity = pose.sliding + (body.omega ^ pose.lever)
     faces = arm_faces(arm, obstacles, contact_point, pose, 1.0)
     stored = tree_map(_contact_energy, (faces,), (memory, pose.lever))
-    pressed = positive_part(arm.shortest - length) * positive_part(arm.shortest - length)
-    beyond = positive_part(length - upper_stop(arm))
-    pressed += beyond * beyond
     return Energy(
         kinetic=0.5 * arm.mass * (velocity @ velocity),
         gravity=arm.mass * gravity * (body.position.z + body.vertical @ pose.lever),
         springs=spring_energy(arm, length),
-        stops=0.5 * arm.compliance * arm.stop_stiffness * pressed,
+        stops=stop_energy(arm, length),
         contact=tree_sum(stored),
         obstacles=0.0,
     )
+
+
+@generic
+def stop_energy(arm: Any, length: Any) -> float:
+    """Energy in the end stops of an arm [J]."""
+    return in_end_stops(arm, length)
+
+
+@rare_kernel
+def in_end_stops(arm: Any, length: float) -> float:
+    """Energy in the end stops of one coordinate of an arm [J]."""
+    pressed = positive_part(arm.shortest - length) * positive_part(arm.shortest - length)
+    beyond = positive_part(length - upper_stop(arm))
+    pressed += beyond * beyond
+    held: float = 0.5 * arm.compliance * arm.stop_stiffness * pressed
+    return held
+
+
+@stop_energy.register(BentArm)
+@rare_kernel
+def _in_stops_of_two(arm: BentArm, length: BentCoordinates) -> float:
+    return in_end_stops(arm, length.first) + in_end_stops(arm.second, length.second)
 
 
 @generic
@@ -105,6 +128,13 @@ def _in_slide(arm: Arm, length: float) -> float:
 @rare_kernel
 def _in_joint(arm: JointedArm, length: float) -> float:
     return arm.compliance * joint_spring(arm, length).energy
+
+
+@spring_energy.register(BentArm)
+@rare_kernel
+def _in_two_joints(arm: BentArm, length: BentCoordinates) -> float:
+    held = joint_spring(arm, length.first).energy + joint_spring(arm.second, length.second).energy
+    return arm.compliance * held
 
 
 @rare_kernel
@@ -141,12 +171,14 @@ def energy(airframe: Airframe, world: World, contact_point: Any, state: State) -
     """Mechanical energy of a vehicle [J], eqs. (5) and (7) with contact and end stops added."""
     around, omega = body_sight(world.obstacles, state, 0.0), state.angular_velocity
     obstacles, body = around.obstacles, around.body
+    lengths = coordinates_of_arms(airframe.arms[0], state)
+    arm_rates = rates_of_arms(airframe.arms[0], state)
     arms = tree_map(
         _arm_energy,
         (
             airframe.arms,
-            state.arm_length,
-            state.arm_rate,
+            lengths,
+            arm_rates,
             arm_memory(state.memory, airframe.arms),
         ),
         (world.gravity, contact_point, around),
@@ -161,9 +193,7 @@ def energy(airframe: Airframe, world: World, contact_point: Any, state: State) -
     on_hull = hull_memory(state.memory, airframe.hull)
     of_hull = tree_map(_hull_energy, (airframe.hull, on_hull), (obstacles, body))
     contact = tree_sum((a.contact,) + of_hull)  # noqa: RUF005
-    springs = a.springs + neighbour_energy(
-        airframe.neighbours, airframe.arms, state.arm_length, state.arm_rate
-    )
+    springs = a.springs + neighbour_energy(airframe.neighbours, airframe.arms, lengths, arm_rates)
     held = Energy(a.kinetic + kinetic, a.gravity + gravity, springs, a.stops, contact, 0.0)
     moving = bodies_energy(world.obstacles, state.bodies, world.gravity)
     return fold(_with_body, held, moving, ())
@@ -218,6 +248,14 @@ def _on_joint(arm: JointedArm, length: float, rate: float) -> Spread:
     return Spread(first, drift, point_inertia(m, there.end), there.end ^ drift)
 
 
+@spread.register(BentArm)
+@rare_kernel
+def _on_two_joints(arm: BentArm, length: BentCoordinates, rate: BentCoordinates) -> Spread:
+    there, m = bent_pose(arm, length, rate), arm.mass
+    drift = m * there.velocity
+    return Spread(m * there.end, drift, point_inertia(m, there.end), there.end ^ drift)
+
+
 @spread.register(Arm)
 @rare_kernel
 def _on_slide(arm: Arm, length: float, rate: float) -> Spread:
@@ -241,7 +279,7 @@ def about_mass_centre(inertia: Mat3, mass: float, centre: Vec) -> Mat3:
 @rare_kernel
 def angular_momentum(airframe: Airframe, state: State) -> Vec:
     """Angular momentum about the centre of mass, world axes [kg m²/s]."""
-    now = tree_sum(tree_map(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
+    now = mass_moments(airframe, state)
     omega, m = state.angular_velocity, airframe.mass
     centre, drift = now.first * (1.0 / m), now.drift * (1.0 / m)
     about_body = (airframe.inertia + arms_inertia(now.second)) @ omega + now.swing
@@ -256,6 +294,19 @@ def _still(arm: Any) -> float:
 
 
 @rare_kernel
+def _stopped(bend: Bend) -> Bend:
+    return Bend(bend.way, 0.0)
+
+
+@rare_kernel
+def mass_moments(airframe: Airframe, state: State) -> Spread:
+    """Mass moments of all arms."""
+    arms = airframe.arms
+    lengths, arm_rates = coordinates_of_arms(arms[0], state), rates_of_arms(arms[0], state)
+    return tree_sum(tree_map(spread, (arms, lengths, arm_rates), ()))
+
+
+@rare_kernel
 def locked_state(airframe: Airframe, state: State) -> State:
     """State after all arms have stopped at their present lengths.
 
@@ -264,7 +315,7 @@ def locked_state(airframe: Airframe, state: State) -> State:
     books it.
     """
     r, omega, m = rotation(state.attitude), state.angular_velocity, airframe.mass
-    now = tree_sum(tree_map(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
+    now = mass_moments(airframe, state)
     centre, drift = now.first * (1.0 / m), now.drift * (1.0 / m)
     spin = angular_momentum(airframe, state) @ r
     velocity = state.velocity + r @ ((omega ^ centre) + drift)
@@ -280,4 +331,5 @@ def locked_state(airframe: Airframe, state: State) -> State:
         tree_map(_still, (airframe.arms,), ()),
         state.bodies,
         state.memory,
+        tree_map(_stopped, (state.bends,), ()),
     )

@@ -30,12 +30,19 @@ from springback.contact.hull_contact import (
 from springback.contact.loads import CageContact, face_contact
 from springback.contact.obstacles import World
 from springback.contact.surfaces import Surface, slip_velocity
-from springback.dynamics.energy import about_mass_centre, energy, spread
+from springback.dynamics.energy import about_mass_centre, energy, mass_moments
 from springback.dynamics.motion import LANDED, RESTING, Free, Motion, Slider, Work
 from springback.kernels.compiler import generic, rare_kernel
-from springback.kernels.trees import one_tuple, tree_map, tree_sum
+from springback.kernels.trees import one_tuple, tree_map
 from springback.kernels.vectors import Mat3, Vec, positive_part, solve_symmetric
-from springback.vehicle.state import Airframe, PartMemory, State, arms_inertia
+from springback.vehicle.state import (
+    Airframe,
+    PartMemory,
+    State,
+    arms_inertia,
+    coordinates_of_arms,
+    rates_of_arms,
+)
 
 #: Speeds below this are rounding [m/s].
 STILL = 1e-12
@@ -178,14 +185,14 @@ def apply_impulses(
     state, work = motion.state, motion.work
     around, m = body_sight(world.obstacles, state, 0.0), airframe.mass
     body, r = around.body, around.body.r
-    arms = tree_sum(tree_map(spread, (airframe.arms, state.arm_length, state.arm_rate), ()))
+    arms = mass_moments(airframe, state)
     centre, drift = r @ (arms.first * (1.0 / m)), r @ (arms.drift * (1.0 / m))
     inertia = airframe.inertia + arms_inertia(arms.second)
     inertia = about_mass_centre(inertia, m, arms.first * (1.0 / m))
-    up = Vec(0.0, 0.0, 1.0)
+    up, arm_rates = Vec(0.0, 0.0, 1.0), rates_of_arms(airframe.arms[0], state)
     of_cages = tree_map(
         _hits_of_arm,
-        (airframe.arms, state.arm_length, state.arm_rate),
+        (airframe.arms, coordinates_of_arms(airframe.arms[0], state), arm_rates),
         (contact_point, around),
     )
     hits = one_tuple(of_cages + tree_map(_hits_of_hull, (airframe.hull,), (around.obstacles, body)))
@@ -279,6 +286,7 @@ def apply_impulses(
         state.arm_rate,
         state.bodies,
         state.memory,
+        state.bends,
     )
     before = energy(airframe, world, contact_point, state)
     left = energy(airframe, world, contact_point, after)

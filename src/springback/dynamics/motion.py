@@ -53,6 +53,7 @@ from springback.dynamics.hull_state import (
     view_with_turns,
 )
 from springback.dynamics.ledger import Work as Work
+from springback.dynamics.limbs import bent as bent  # registers arms on two joints
 from springback.dynamics.limbs import jointed as jointed  # registers arms on joints
 from springback.dynamics.limbs.arms import (
     ActingLoad,
@@ -63,7 +64,9 @@ from springback.dynamics.limbs.arms import (
     arm_slip_rate,
     arm_state,
     assemble,
+    bend_rates,
     completed_view,
+    length_accelerations,
 )
 from springback.dynamics.limbs.surface_effect import thrusts_near
 from springback.dynamics.moving_obstacles import VehiclePlace, all_flags, bodies_rates
@@ -103,7 +106,9 @@ from springback.vehicle.arms.neighbours import neighbour_load
 from springback.vehicle.placed.rotors import acting_rotors, with_lift
 from springback.vehicle.state import (
     State,
+    coordinates_of_arms,
     fastest_cage,
+    rates_of_arms,
     reach,
 )
 
@@ -179,13 +184,14 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
     """
     airframe, world = plant.airframe, plant.world
     around = body_sight(world.obstacles, state, AHEAD * fastest_cage(airframe, state))
-    between = neighbour_load(airframe.neighbours, airframe.arms, state.arm_length, state.arm_rate)
-    near = (airframe, state.arm_length, around.obstacles)
+    lengths = coordinates_of_arms(airframe.arms[0], state)
+    arm_rates = rates_of_arms(airframe.arms[0], state)
+    between = neighbour_load(airframe.neighbours, airframe.arms, lengths, arm_rates)
+    near = (airframe, lengths, around.obstacles)
     thrust = fold(thrusts_near, plant.thrust, plant.surface_effect, near)
     rotors = acting_rotors(
-        airframe.rotors, airframe.arms, state.arm_length, state.arm_rate, thrust,
-        plant.reaction,
-    )  # fmt: skip
+        airframe.rotors, airframe.arms, lengths, arm_rates, thrust, plant.reaction
+    )
     pulls = tree_map(_both_tuples, (between.pulls, rotors.pulls), ())
     body, obstacles = around.body, around.obstacles
     r, omega, velocity = body.r, body.omega, body.velocity
@@ -194,8 +200,8 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
         "share",
         (
             airframe.arms,
-            state.arm_length,
-            state.arm_rate,
+            lengths,
+            arm_rates,
             rotors.thrust,
             engaged.arms,
             arm_pushes(plant.pushes, airframe.arms),
@@ -223,7 +229,7 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
 
     acceleration = r @ solved.linear - Vec(0.0, 0.0, world.gravity)
     sliding = tree_map(
-        arm_acceleration, (airframe.arms, state.arm_length, arms), (solved.linear, solved.angular)
+        arm_acceleration, (airframe.arms, lengths, arms), (solved.linear, solved.angular)
     )
     on_arms, on_hull = field_of(arms, "bristles"), field_of(hull, "bristles")
     state_rate = State(
@@ -232,9 +238,10 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
         acceleration,
         solved.angular,
         state.arm_rate,
-        sliding,
+        length_accelerations(airframe.arms[0], sliding),
         field_of(bodies, "state"),
         memory_rates(state.memory, on_arms, on_hull, field_of(hull, "spin")),
+        bend_rates(airframe.arms[0], state.bends, sliding),
     )
     push = r @ contact.force
     work_rate = Work(
@@ -261,7 +268,7 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
     # Terms of a cage's acceleration that are quadratic in rates are neglected: they are small.
     linear = solved.linear - world.gravity * body.vertical
     moving = BodyAcceleration(linear, solved.angular, body.vertical)
-    moves = tree_map(arm_motion, (state.arm_length, state.arm_rate, sliding), ())
+    moves = tree_map(arm_motion, (lengths, arm_rates, sliding), ())
     views = tree_map(completed_view, (arms, airframe.arms, moves), (moving,))
     cage_slips = tree_map(arm_slip_rate, (airframe.arms, moves, field_of(arms, "slips")), (moving,))
     hull_slips = tree_map(hull_slip_rate, (hull,), (moving,))

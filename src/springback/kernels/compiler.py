@@ -25,13 +25,23 @@ import numba.extending
 import platformdirs
 from numba import njit
 from numba.core.errors import NumbaError
+from numba.core.registry import cpu_target
+from numba.core.typing import templates
 from numba.extending import register_jitable
 
 from springback.kernels.kernel_cache import KernelCache
+from springback.kernels.packaged.manifest import (
+    Target,
+    compiler_versions,
+    fitting_kernels,
+    status_text,
+)
 from springback.kernels.pipeline import LaneCompiler
 
-#: Part of numba without type stubs.
+#: Parts of numba without type stubs.
 _overload: Any = numba.extending.overload
+_templates: Any = templates
+_intrinsic_template: Any = templates.make_intrinsic_template
 
 F = TypeVar("F", bound=Callable[..., Any])
 P = ParamSpec("P")
@@ -105,6 +115,23 @@ def compiler_rule(
     return teach
 
 
+def code_rule(function: Callable[..., Any], *, literal: bool = False) -> Callable[[F], F]:
+    """Decorator for a rule that gives the compiler machine code of a function by types.
+
+    The rule takes the compiler's typing context and the types of the arguments, and returns the
+    signature and a function that emits the code where it is called, or None if the types do not
+    fit.  Nothing is parsed and typed, as a Python function of `compiler_rule` would be.
+    """
+
+    def teach(rule: F) -> F:
+        template = _intrinsic_template(function, rule, rule.__name__, prefer_literal=literal)
+        _templates.infer(template)
+        _templates.infer_global(function, numba.types.Function(template))
+        return rule
+
+    return teach
+
+
 class Generic(Protocol[P, R]):
     """Function dispatched on the type of its first argument."""
 
@@ -161,8 +188,8 @@ def is_named(numba_type: Any, cls: type) -> bool:
 def source_digest() -> str:
     """Digest of every source file that contributes to compiled code.
 
-    The compiler's own cache checks the file of the entry function only, so an edit or an upgrade
-    elsewhere would go unnoticed.  The digest therefore names the cache folder.
+    The compiler's own cache checks the file of the entry function only, so an edit elsewhere would
+    go unnoticed.
     """
     package = Path(__file__).parents[1]
     digest = hashlib.sha256()
@@ -172,11 +199,39 @@ def source_digest() -> str:
     return digest.hexdigest()[:16]
 
 
+@functools.cache
+def state_digest() -> str:
+    """Digest of everything but the processor that determines compiled code.
+
+    That is the source, the versions of interpreter and compiler, and its options.  It names the
+    folder of the cache: code of another version may read its data where they no longer are.
+    """
+    versions = repr(sorted(compiler_versions().items()))
+    return hashlib.sha256(f"{source_digest()} {versions}".encode()).hexdigest()[:16]
+
+
+def compiler_target() -> Target:
+    """What this process compiles for."""
+    triple, name, features = cpu_target.target_context.codegen().magic_tuple()
+    return triple, name, features
+
+
+def packaged_kinds() -> tuple[str, ...]:
+    """Kinds of flight all of whose kernels came with the package, and fit."""
+    fitting = fitting_kernels(source_digest(), compiler_target())
+    return () if fitting is None else fitting.kinds
+
+
+def packaged_status() -> str:
+    """Line on kernels that came with the package: which are used, or why none is."""
+    return status_text(source_digest(), compiler_target())
+
+
 def cache_folder() -> Path:
     """Folder of the compiled kernels; ``SPRINGBACK_CACHE_DIR`` overrides the user's."""
     root = os.environ.get("SPRINGBACK_CACHE_DIR") or platformdirs.user_cache_dir("springback")
     # An unknown user's ~ is left unexpanded.
-    return Path(os.path.expanduser(root)) / "kernels" / source_digest()
+    return Path(os.path.expanduser(root)) / "kernels" / state_digest()
 
 
 def is_writable(folder: Path) -> bool:
@@ -188,11 +243,18 @@ def is_writable(folder: Path) -> bool:
     return os.access(folder, os.W_OK)
 
 
-def _entry(function: F, folder: Path | None, options: dict[str, Any]) -> F:
-    """Compile an entry point, cached in a folder between processes, or not cached."""
+def _entry(function: F, folder: Path | None, options: dict[str, Any], source: str = "") -> F:
+    """Compile an entry point, cached in a folder between processes, or not cached.
+
+    Args:
+        function: The undecorated entry point.
+        folder: That of the cached kernels, or None.
+        options: Those of the compiler.
+        source: Digest of the source, if its kernels may have come with the package.
+    """
     entry: Any = njit(**{**STRICT, **options})(function)
     if folder is not None:
-        cache = entry._cache = KernelCache(function, folder)
+        cache = entry._cache = KernelCache(function, folder, source)
         compile_now = entry._compiler.compile
 
         def compile_or_unlock(*signature: Any) -> Any:
@@ -221,11 +283,30 @@ def compile_apart(function: Callable[..., Any], signature: Any, folder: Path) ->
         signature: Compiler types of its arguments.
         folder: That of the cached kernels.
     """
-    entry: Any = _entry(function, folder, {})
+    entry: Any = _entry(function, folder, {}, source_digest())
     entry.compile(signature)
     made = entry.overloads[signature]
     address = made.library.get_pointer_to_function(made.fndesc.llvm_func_name)
     return CompiledRoutine(address, entry)
+
+
+def compile_uncached(function: Callable[..., Any], signature: Any) -> None:
+    """Compile a function for some compiler types; only entry points that it calls are cached."""
+    entry: Any = _entry(function, None, {"nogil": True})
+    entry.compile(signature)
+
+
+def is_in_cache(entry: Any, signature: Any) -> bool:
+    """True if an entry point needs no compilation for some compiler types, as far as can be seen.
+
+    Args:
+        entry: An executor; of one that is never cached the answer is True.
+        signature: Compiler types of its arguments.
+    """
+    cache = entry._cache
+    if signature in entry.overloads or not isinstance(cache, KernelCache):
+        return True
+    return cache.holds(signature, entry.targetctx.codegen())
 
 
 def executor(**options: Any) -> Callable[[F], F]:
@@ -235,7 +316,7 @@ def executor(**options: Any) -> Callable[[F], F]:
     """
 
     def compile_entry(function: F) -> F:
-        return _entry(function, cache_folder(), options)
+        return _entry(function, cache_folder(), options, source_digest())
 
     return compile_entry
 
@@ -283,6 +364,6 @@ def user_executor(function: F, origin: Origin | None, **options: Any) -> F:
     """
     if origin is None:
         return _entry(function, None, options)
-    digest = hashlib.sha256("\n".join((source_digest(), *origin.words())).encode())
+    digest = hashlib.sha256("\n".join((state_digest(), *origin.words())).encode())
     folder = cache_folder().parents[1] / "own" / digest.hexdigest()[:32]
     return _entry(function, folder, options)

@@ -9,6 +9,9 @@ alone.
 The compiler's own cache has an index with neither checksum nor owner: an empty or truncated file
 breaks every later start, and two processes that save different signatures at once can swap them.
 
+Before a kernel is compiled, it is looked for among those that came with the package
+(`springback.kernels.packaged.manifest`), which are only read, and verified alike.
+
 A kernel that is not there is compiled by one process; others that need it wait for its file.  The
 lock is the system's, so it ends with its holder, however that ends.
 """
@@ -22,6 +25,7 @@ import pickle
 import stat
 import time
 import warnings
+import zlib
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -31,6 +35,7 @@ from numba.core import compiler, serialize
 
 from springback.errors import CacheWarning
 from springback.files import write_atomically
+from springback.kernels.packaged.manifest import fitting_kernels
 
 #: Reader and writer of compiled code.
 _rebuild: Any = compiler.CompileResult._rebuild
@@ -50,14 +55,15 @@ _said: set[str] = set()
 class KernelCache:
     """Cached signatures of one entry point; the interface is that of numba's own caches."""
 
-    def __init__(self, function: Any, folder: Path) -> None:
+    def __init__(self, function: Any, folder: Path, source: str = "") -> None:
         """Cache for an entry point; the folder is created on the first write.
 
         Args:
             function: The undecorated entry point.
             folder: A separate one for every state of the source.
+            source: Digest of the source, to look among packaged kernels, too; empty: not there.
         """
-        self._folder = folder
+        self._folder, self._source = folder, source
         self._code = hashlib.sha256(function.__code__.co_code).hexdigest()
         line = function.__code__.co_firstlineno
         self._name = f"{function.__module__}.{function.__qualname__}-{line}"
@@ -85,6 +91,8 @@ class KernelCache:
         context.refresh()
         key = self._key(signature, context.codegen())
         found = self._load(key, context)
+        if found is None:
+            found = self._load_packaged(signature, context)
         if found is not None:
             return found
         self._locks.append(_locked(self._lock_path(key)))
@@ -93,13 +101,33 @@ class KernelCache:
             self.end_compilation()
         return found
 
-    def _load(self, key: tuple[Any, ...], context: Any) -> Any:
-        for path in self._candidates(key):
+    def holds(self, signature: Any, codegen: Any) -> bool:
+        """True if there is a file for a signature, or for one whose types have the same names."""
+        packaged = self._packaged(signature, codegen)
+        own = self._candidates(self._key(signature, codegen))
+        known = [own] if packaged is None else [own, self._candidates(*packaged)]
+        return any(next(paths).exists() for paths in known)
+
+    def _packaged(self, signature: Any, codegen: Any) -> tuple[tuple[Any, ...], Path] | None:
+        """Key and folder of the kernel among those that came with the package, and fit."""
+        if not self._source:
+            return None
+        fitting = fitting_kernels(self._source, codegen.magic_tuple())
+        if fitting is None:
+            return None
+        return (self._name, signature, fitting.target, self._code), fitting.folder
+
+    def _load_packaged(self, signature: Any, context: Any) -> Any:
+        packaged = self._packaged(signature, context.codegen())
+        return None if packaged is None else self._load(packaged[0], context, packaged[1])
+
+    def _load(self, key: tuple[Any, ...], context: Any, packaged: Path | None = None) -> Any:
+        for path in self._candidates(key, packaged):
             try:
-                data = _verified_content(path)
+                data = _verified_content(path, packaged is not None)
                 if data is None:
                     return None
-                known, payload = pickle.loads(data)
+                known, payload = pickle.loads(zlib.decompress(data) if packaged else data)
                 if known != key:
                     continue
                 return _rebuild(context, *payload)
@@ -122,7 +150,7 @@ class KernelCache:
             return
         key = self._key(signature, result.codegen)
         try:
-            data = _dumps((key, result._reduce()))
+            data = _dumps((key, _without_annotation(result._reduce())))
             _write(self._free(key), data)
         except Exception as error:
             _warn_not_cached(self._folder, error)
@@ -139,9 +167,9 @@ class KernelCache:
     def _key(self, signature: Any, codegen: Any) -> tuple[Any, ...]:
         return self._name, signature, codegen.magic_tuple(), self._code
 
-    def _candidates(self, key: tuple[Any, ...]) -> Iterator[Path]:
+    def _candidates(self, key: tuple[Any, ...], folder: Path | None = None) -> Iterator[Path]:
         """Files that may hold a key: types of equal names share a stem."""
-        return (self._folder / f"{_stem(key)}-{k}.kernel" for k in range(100))
+        return ((folder or self._folder) / f"{_stem(key)}-{k}.kernel" for k in range(100))
 
     def _free(self, key: tuple[Any, ...]) -> Path:
         """Path to write a key to: its own file, or in place of one that cannot be used."""
@@ -154,6 +182,25 @@ class KernelCache:
             except Exception:
                 return path
         return path
+
+
+def pack_kernel(path: Path, folder: Path) -> None:
+    """Write a kernel's file into a folder of packaged kernels, where they are compressed.
+
+    Raises:
+        OSError: If it cannot be read or written.
+        ValueError: If it is damaged.
+    """
+    data = _verified_content(path)
+    if data is None:
+        raise FileNotFoundError(f"{path}: there is no such file")
+    _write(folder / path.name, zlib.compress(data, 9))
+
+
+def _without_annotation(parts: tuple[Any, ...]) -> tuple[Any, ...]:
+    """A compiled kernel without its source text and types in words, which name its file."""
+    place = 6  # as `_rebuild` takes them
+    return (*parts[:place], "", *parts[place + 1 :])
 
 
 def _stem(key: tuple[Any, ...]) -> str:
@@ -210,15 +257,21 @@ def save_program(path: Path, content: bytes) -> None:
         _warn_not_cached(path.parent, error)
 
 
-def _verified_content(path: Path) -> bytes | None:
+def _verified_content(path: Path, packaged: bool = False) -> bytes | None:
     """Content of a file after its digest; None if there is no such file.
+
+    Args:
+        path: The file.
+        packaged: True if it came with the package: who can write this module may write it, too, for
+            he can run anything anyway, and links of package managers are followed.
 
     Raises:
         OSError: If it cannot be read, or another user could have written it.
         ValueError: If it is damaged.
     """
     try:
-        handle = os.open(path, os.O_RDONLY | getattr(os, "O_NOFOLLOW", 0))
+        flags = 0 if packaged else getattr(os, "O_NOFOLLOW", 0)
+        handle = os.open(path, os.O_RDONLY | flags)
     except (FileNotFoundError, NotADirectoryError):
         return None
     with os.fdopen(handle, "rb") as file:
@@ -226,9 +279,14 @@ def _verified_content(path: Path) -> bytes | None:
         if not stat.S_ISREG(about.st_mode):
             raise ValueError("it is not a regular file")
         if hasattr(os, "getuid"):
-            if about.st_uid not in (os.getuid(), 0):
+            owners, writable = {os.getuid(), 0}, stat.S_IWGRP | stat.S_IWOTH
+            if packaged:
+                module = os.stat(__file__)
+                owners.add(module.st_uid)
+                writable &= ~(module.st_mode if module.st_gid == about.st_gid else 0)
+            if about.st_uid not in owners:
                 raise PermissionError(f"it belongs to user {about.st_uid}")
-            if about.st_mode & (stat.S_IWGRP | stat.S_IWOTH):
+            if about.st_mode & writable:
                 raise PermissionError("other users can write to it")
         data = file.read()
     if hashlib.sha256(data[_DIGEST:]).digest() != data[:_DIGEST]:

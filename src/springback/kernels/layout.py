@@ -16,8 +16,8 @@ import numpy as np
 from numba import types
 from numba.core.typing import templates
 
-from springback.kernels.compiler import compiler_rule, is_named
-from springback.kernels.tree_code import load_tree, store_tree
+from springback.kernels.compiler import code_rule, compiler_rule, is_named
+from springback.kernels.tree_code import Stored, load_code, store_code
 from springback.kernels.trees import (
     function_of,
     leaf_count,
@@ -208,50 +208,30 @@ def _row_of(like: Any, field: Any) -> Any:
     return function_of("like, field", [f"return {before}"], {})
 
 
-#: Unsigned, so that the compiler need not check for an index that counts from the end.  A single
-#: flight is in lane 0, which the compiler cannot see in a loop that may have no iteration at all.
-_STEP = ("step = whole(width)", "start = whole(lane if width != 1 else 0)")
-_PLACE = (*_STEP, "start = whole(row) * step + start")
-
-
-@compiler_rule(read)
-def _read(like: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
-    lines = [*_PLACE, "return load_tree(like, buffer, start, step, 0, -1)"]
-    scope = {"whole": np.uint64, "load_tree": load_tree}
-    return function_of("like, buffer, row, width, lane", lines, scope)
-
-
-#: Where a row is known at compile time, no two rows alias.
-_KNOWN = _STEP
-
-
-def _compiled_piece(like: Any, buffer: Any) -> tuple[str, int]:
-    """`_piece` when compiled: name of the buffer in generated code, and the first row."""
+def _compiled_piece(like: Any, buffer: Any) -> Stored:
+    """`_piece` when compiled: a row is known at compile time, and no two rows alias."""
     if not is_named(buffer, SplitBuffer):
-        return "buffer", like.row
+        return Stored(like.row, like.row)
     before = leaf_count(buffer.types[0].tree)
     inside = like.row < before
-    return ("buffer[1]", like.row) if inside else ("buffer[2]", like.row - before)
+    return Stored(like.row, like.row, 1) if inside else Stored(like.row - before, like.row, 2)
 
 
-@compiler_rule(load)
-def _load(like: Any, buffer: Any, width: Any, lane: Any) -> Any:
-    name, row = _compiled_piece(like, buffer)
-    found = f"load_tree(like, {name}, start, step, {row}, {like.row})"
-    scope = {"whole": np.uint64, "load_tree": load_tree}
-    return function_of("like, buffer, width, lane", [*_KNOWN, f"return {found}"], scope)
+@code_rule(read)
+def _read(typing: Any, like: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
+    return load_code(like, Stored(None, None), (buffer, row, width, lane))
 
 
-@compiler_rule(store)
-def _store(tree: Any, like: Any, buffer: Any, width: Any, lane: Any) -> Any:
-    name, row = _compiled_piece(like, buffer)
-    lines = [*_KNOWN, f"store_tree(tree, {name}, start, step, {row}, {like.row})", "return None"]
-    scope = {"whole": np.uint64, "store_tree": store_tree}
-    return function_of("tree, like, buffer, width, lane", lines, scope)
+@code_rule(load)
+def _load(typing: Any, like: Any, buffer: Any, width: Any, lane: Any) -> Any:
+    return load_code(like, _compiled_piece(like, buffer), (buffer, width, lane))
 
 
-@compiler_rule(write)
-def _write(tree: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
-    lines = [*_PLACE, "store_tree(tree, buffer, start, step, 0, -1)", "return None"]
-    scope = {"whole": np.uint64, "store_tree": store_tree}
-    return function_of("tree, buffer, row, width, lane", lines, scope)
+@code_rule(write)
+def _write(typing: Any, tree: Any, buffer: Any, row: Any, width: Any, lane: Any) -> Any:
+    return store_code(tree, (), Stored(None, None), (buffer, row, width, lane))
+
+
+@code_rule(store)
+def _store(typing: Any, tree: Any, like: Any, buffer: Any, width: Any, lane: Any) -> Any:
+    return store_code(tree, (like,), _compiled_piece(like, buffer), (buffer, width, lane))

@@ -90,18 +90,13 @@ def _freeze(builder: Any, leaf: Any) -> Any:
 class _Rows:
     """Rows of a buffer at one lane."""
 
-    def __init__(self, context: Any, builder: Any, kinds: tuple[Any, ...], given: Any) -> None:
-        """Rows of ``buffer``, where row k is at element ``start + k · step``.
-
-        Args:
-            context: Of the target.
-            builder: Of the code.
-            kinds: Types of buffer, start and step.
-            given: Values of buffer, start and step.
-        """
-        self._context, self._builder, self._kind = context, builder, kinds[0]
-        self._array = context.make_array(kinds[0])(context, builder, given[0])
-        self._start, self._step = given[1:]
+    def __init__(
+        self, context: Any, builder: Any, kind: Any, buffer: Any, start: Any, step: Any
+    ) -> None:
+        """Rows of a buffer of a type ``kind``; row k is at element ``start + k · step``."""
+        self._context, self._builder, self._kind = context, builder, kind
+        self._array = context.make_array(kind)(context, builder, buffer)
+        self._start, self._step = start, step
 
     def pointer(self, row: int) -> Any:
         """Pointer to the element of a row; the index is unsigned."""
@@ -122,38 +117,56 @@ class _Rows:
         return access
 
 
-def _marked(mark: Any) -> int | None:
-    """Row by which accesses are marked, or None if they are not."""
-    return None if mark.literal_value < 0 else mark.literal_value
-
-
 def _stored(buffer: Any, mark: int | None) -> Any:
     """Type of the numbers in a buffer; those of marked rows are float64, also on a GPU."""
     return buffer.dtype if mark is None else types.float64
 
 
-@_intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
-def load_tree(
-    typing_context: Any, like: Any, buffer: Any, start: Any, step: Any, row: Any, mark: Any
-) -> Any:
-    """The tree whose leaf k is at ``start + (row + k) · step`` of a buffer.
+class Stored(NamedTuple):
+    """Where a tree is in a buffer, as the compiler knows it."""
+
+    row: int | None  # of the first leaf; None if it is an argument
+    mark: int | None  # row that it is known by, if all rows of its buffer are known
+    piece: int | None = None  # of a tuple of buffers
+
+
+def _rows_of(
+    context: Any, builder: Any, stored: Stored, kinds: tuple[Any, ...], given: Any
+) -> _Rows:
+    """Rows of a buffer from the arguments buffer, (row,) width and lane.
+
+    Indices are unsigned, so that the compiler need not check for one that counts from the end.  A
+    single flight is in lane 0, which the compiler cannot see in a loop that may have no iteration.
+    """
+    kind, buffer, (*before, width, lane) = kinds[0], given[0], given[1:]
+    if stored.piece is not None:
+        kind, buffer = kind.types[stored.piece], builder.extract_value(buffer, stored.piece)
+    wide, one, none = types.uint64, *(ir.Constant(ir.IntType(64), k) for k in (1, 0))
+    *before, step, start = (
+        context.cast(builder, value, _unliteral(kind), wide)
+        for value, kind in zip((*before, width, lane), kinds[1:], strict=True)
+    )
+    start = builder.select(builder.icmp_unsigned("==", step, one), none, start)
+    if before:
+        start = builder.add(builder.mul(before[0], step), start)
+    return _Rows(context, builder, kind, buffer, start, step)
+
+
+def load_code(like: Any, stored: Stored, kinds: tuple[Any, ...]) -> Any:
+    """Signature and code of loading a tree: arguments like, buffer, (row,) width and lane.
 
     Args:
-        typing_context: Of the compiler.
         like: Layout of the tree.
-        buffer: One-dimensional array.
-        start: Element of row 0, unsigned.
-        step: Elements from row to row, unsigned.
-        row: A literal.
-        mark: Row that the first leaf is known by, all rows of a buffer being known at compile time;
-            −1 if they are not.
+        stored: Where it is.
+        kinds: Types of the arguments after ``like``.
     """
     count = sum(1 for _ in leaf_types(like.tree))
-    first, known = row.literal_value, _marked(mark)
+    buffer = kinds[0] if stored.piece is None else kinds[0].types[stored.piece]
+    first, known = stored.row or 0, stored.mark
     result = tree_of(like.tree, iter([_stored(buffer, known)] * count))
 
     def lower(context: Any, builder: Any, signature: Any, given: Any) -> Any:
-        places = _Rows(context, builder, signature.args[1:4], given[1:4])
+        places = _rows_of(context, builder, stored, kinds, given[1:])
 
         def leaf(k: int) -> Any:
             value = builder.load(places.pointer(first + k))
@@ -161,18 +174,25 @@ def load_tree(
 
         return _build(context, builder, result, map(leaf, range(count)))
 
-    return result(like, buffer, types.uint64, types.uint64, row, mark), lower
+    return result(like, *kinds), lower
 
 
-@_intrinsic(prefer_literal=True)  # type: ignore[untyped-decorator]
-def store_tree(
-    typing_context: Any, tree: Any, buffer: Any, start: Any, step: Any, row: Any, mark: Any
-) -> Any:
-    """Store a tree, with arguments as for `load_tree`; a `Rarely` only where it is new."""
-    first, known = row.literal_value, _marked(mark)
+def store_code(tree: Any, like: tuple[Any, ...], stored: Stored, kinds: tuple[Any, ...]) -> Any:
+    """Signature and code of storing a tree: arguments tree, (like,) buffer, (row,) width and lane.
+
+    A `Rarely` is stored only where it is new.
+
+    Args:
+        tree: Its type.
+        like: Its layout, if that is an argument.
+        stored: Where it will be.
+        kinds: Types of the arguments from the buffer on.
+    """
+    first, known = stored.row or 0, stored.mark
+    buffer = kinds[0] if stored.piece is None else kinds[0].types[stored.piece]
 
     def lower(context: Any, builder: Any, signature: Any, given: Any) -> Any:
-        places = _Rows(context, builder, signature.args[1:4], given[1:4])
+        places = _rows_of(context, builder, stored, kinds, given[1 + len(like) :])
 
         def put(value: Any, kind: Any, k: int) -> None:
             leaf = context.cast(builder, value, _unliteral(kind), _stored(buffer, known))
@@ -201,7 +221,41 @@ def store_tree(
         lay(signature.args[0], given[0], 0)
         return context.get_dummy_value()
 
-    return types.void(tree, buffer, types.uint64, types.uint64, row, mark), lower
+    return types.void(tree, *like, *kinds), lower
+
+
+def map_code(typing: Any, function: Any, zipped: Any, shared: Any) -> Any:
+    """Signature and code of calling a function for every position of several tuples.
+
+    Args:
+        typing: The compiler's typing context.
+        function: Type of the function.
+        zipped: Type of a tuple of tuples of the same length.
+        shared: Type of the tuple of the arguments after those.
+    """
+    others, rows = branches(shared), list(zip(*map(branches, branches(zipped)), strict=True))
+    kinds = [(*row, *others) for row in rows]
+    called = [typing.resolve_function_type(function, one, {}) for one in kinds]
+    if any(one is None for one in called):
+        return None
+    result = _tuple_of(tuple(one.return_type for one in called))
+
+    def lower(context: Any, builder: Any, signature: Any, given: Any) -> Any:
+        columns = [builder.extract_value(given[1], k) for k in range(len(zipped))]
+        last = [builder.extract_value(given[2], k) for k in range(len(shared))]
+
+        def value(k: int) -> Any:
+            row = [*(builder.extract_value(column, k) for column in columns), *last]
+            wanted = called[k].args
+            cast = [
+                context.cast(builder, x, a, b)
+                for x, a, b in zip(row, kinds[k], wanted, strict=True)
+            ]
+            return context.get_function(function, called[k])(builder, cast)
+
+        return context.make_tuple(builder, result, [value(k) for k in range(len(called))])
+
+    return result(function, zipped, shared), lower
 
 
 def _leafwise(

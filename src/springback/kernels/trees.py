@@ -12,8 +12,14 @@ from typing import Any, TypeVar
 
 from numba import types
 
-from springback.kernels.compiler import GUARDING, compiler_rule
-from springback.kernels.tree_code import axpy_tree, branches, leaf_types, select_tree
+from springback.kernels.compiler import GUARDING, code_rule, compiler_rule
+from springback.kernels.tree_code import (
+    axpy_tree,
+    branches,
+    leaf_types,
+    map_code,
+    select_tree,
+)
 
 T = TypeVar("T")
 R = TypeVar("R")
@@ -214,14 +220,9 @@ def function_of(arguments: str, lines: list[str], scope: dict[str, Any]) -> Call
     return generated
 
 
-@compiler_rule(tree_map)
-def _each(function: Any, zipped: Any, shared: Any) -> Any:
-    calls = []
-    for j in range(len(zipped[0])):
-        given = [f"zipped[{k}][{j}]" for k in range(len(zipped))]
-        given += [f"shared[{k}]" for k in range(len(shared))]
-        calls.append(f"function({', '.join(given)})")
-    return function_of("function, zipped, shared", [f"return {_tuple(calls)}"], {})
+@code_rule(tree_map)
+def _each(typing: Any, function: Any, zipped: Any, shared: Any) -> Any:
+    return map_code(typing, function, zipped, shared)
 
 
 @compiler_rule(tree_map_sum, literal=True)

@@ -10,7 +10,7 @@ import scipy  # submodules are loaded on first use
 from springback.contact.cage import moving_bodies
 from springback.contact.moving.bodies import ABSENT, CARRIED
 from springback.simulation.flight import FlightRecord, Trace
-from springback.simulation.playback import memory_columns
+from springback.simulation.playback import bend_columns, memory_columns
 from springback.simulation.thrusts import ThrustTable
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -32,6 +32,7 @@ def trajectory_columns(
     count = range(1, len(flown.start.arm_length) + 1)
     names |= {f"l{j}": (f"{state}.arm_length.{j}", "m") for j in count}
     names |= {f"dl{j}": (f"{state}.arm_rate.{j}", "m/s") for j in count}
+    names |= bend_columns(len(flown.start.bends))
     names |= {f"a{axis}": (f"{view}.{axis}", "m/s^2") for axis in "xyz"}
     names |= {f"fn{j}": (f"arms.{j}.normal", "N") for j in count}
     names |= {"fn_body": ("hull.1.normal", "N")} if flown.model.airframe.hull else {}

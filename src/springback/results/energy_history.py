@@ -15,7 +15,7 @@ from springback.results.pair.contacts import pair_view
 from springback.scenario.scenario import Scenario
 from springback.simulation.measuring.record import Model
 from springback.simulation.playback import load_history
-from springback.vehicle.arms.joints import JointedArm
+from springback.vehicle.arms.bent import ON_JOINTS
 from springback.vehicle.state import Airframe, Arm, Shell
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -70,7 +70,8 @@ def ledger(flight: Flight | Scenario) -> dict[str, Array]:
     of_obstacles = [f"bodies.{k}.{x}" for k in bodies for x in ("joint", "contact", "friction")]
     columns[_OF_OBSTACLES] = _all_together(work, of_obstacles)
     airframe = model.airframe
-    turning = any(isinstance(part, JointedArm | Shell) for part in airframe.arms + airframe.hull)
+    kinds = (*ON_JOINTS, Shell)
+    turning = any(isinstance(part, kinds) for part in airframe.arms + airframe.hull)
     if bodies or turning:
         columns |= _evaluated(model, trace)
     else:

@@ -12,6 +12,7 @@ from springback.results.motion import specific_force_at
 from springback.results.result import FlightResult
 from springback.simulation.measuring.limits import arm_force
 from springback.simulation.playback import NO_FORCE
+from springback.vehicle.arms.bent import BentArm, BentCoordinates
 from springback.vehicle.limits import UNLIMITED, LoadLimits
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -151,8 +152,7 @@ def _overloads(flight: FlightResult) -> list[Event]:
     for j, arm in enumerate(flight.scenario.vehicle.airframe().arms, start=1):
         loads.append((f"guard {j}", c[f"fn{j}"], known.guards[j - 1], "N"))
         if known.arms[j - 1] < UNLIMITED:
-            moves = zip(c[f"l{j}"].tolist(), c[f"dl{j}"].tolist(), strict=True)
-            forces = np.array([arm_force(arm, length, rate) for length, rate in moves])
+            forces = np.array([arm_force(arm, *moves) for moves in _arm_moves(c, j)])
             loads.append((f"arm {j}", forces, known.arms[j - 1], "N"))
     for one in limits.components:
         if not (flight.is_second and any(one.position)):
@@ -170,6 +170,17 @@ def _overloads(flight: FlightResult) -> list[Event]:
     return found
 
 
+def _arm_moves(c: Mapping[str, Array], j: int) -> Iterator[tuple[Any, Any]]:
+    """Coordinate of arm ``j`` and its rate, instant by instant; of two joints both."""
+    one = [c[f"{kind}{j}"].tolist() for kind in ("l", "dl")]
+    if f"bend{j}" not in c:
+        yield from zip(*one, strict=True)
+        return
+    both = [c[f"{kind}{j}"].tolist() for kind in ("bend", "dbend")]
+    for length, rate, bend, turning in zip(*one, *both, strict=True):
+        yield BentCoordinates(length, bend), BentCoordinates(rate, turning)
+
+
 def _failures(flight: FlightResult) -> list[Event]:
     named = {"bottomed_time": ("bottomed", "an arm reaches the end of its stroke"),
              "ground_time": ("ground", "a cage touches the ground"),
@@ -185,7 +196,8 @@ def _failures(flight: FlightResult) -> list[Event]:
 
 def _settling(flight: FlightResult) -> Iterator[Event]:
     """Instants at which the arms have settled and are locked again, after an impact."""
-    moves = [values != 0.0 for name, values in flight.columns.items() if name.startswith("dl")]
+    rates = ("dl", "dbend")
+    moves = [values != 0.0 for name, values in flight.columns.items() if name.startswith(rates)]
     moving = np.logical_or.reduce(moves)
     t = flight.t
     for k in np.flatnonzero(moving[:-1] & ~moving[1:]).tolist():
@@ -207,13 +219,23 @@ def _parts(flight: FlightResult) -> Iterator[Event]:
             sentence = f"{name} separates after {1e3 * (end - begin):.1f} ms"
             yield Event(end, "release", f"{name} off", sentence, arm, end - begin)
     for j, shortest in enumerate(_shortest(flight), start=1):
-        length = c[f"l{j}"]
-        for first, last, begin, end in _spans(flight, length < shortest):
-            most = float(length[0] - np.min(length[first : last + 1]))
-            sentence = f"arm {j} reaches its end stop, compressed by up to {1e3 * most:.1f} mm"
-            yield Event(begin, "stop", f"stop {j}", sentence, j, most)
-            sentence = f"arm {j} leaves its end stop after {1e3 * (end - begin):.1f} ms"
-            yield Event(end, "stop_release", f"stop {j} off", sentence, j, end - begin)
+        yield from _stops(flight, c[f"l{j}"], shortest, j, f"arm {j}")
+    for j, arm in enumerate(flight.scenario.vehicle.airframe().arms, start=1):
+        if isinstance(arm, BentArm) and arm.compliance * arm.stop_stiffness > 0.0:
+            name = f"the second joint of arm {j}"
+            yield from _stops(flight, c[f"bend{j}"], arm.second.shortest, j, name)
+
+
+def _stops(
+    flight: FlightResult, length: Array, shortest: float, j: int, name: str
+) -> Iterator[Event]:
+    """When a joint of arm ``j`` is at its inner end stop."""
+    for first, last, begin, end in _spans(flight, length < shortest):
+        most = float(length[0] - np.min(length[first : last + 1]))
+        sentence = f"{name} reaches its end stop, compressed by up to {1e3 * most:.1f} mm"
+        yield Event(begin, "stop", f"stop {j}", sentence, j, most)
+        sentence = f"{name} leaves its end stop after {1e3 * (end - begin):.1f} ms"
+        yield Event(end, "stop_release", f"stop {j} off", sentence, j, end - begin)
 
 
 def _spans(flight: FlightResult, holds: Any) -> Iterator[tuple[int, int, float, float]]:

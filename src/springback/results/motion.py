@@ -56,11 +56,18 @@ from springback.simulation.measuring.record import Model
 from springback.simulation.noise import noise_table
 from springback.simulation.onboard import Truth, sensor_step
 from springback.simulation.playback import Instant, states_at
-from springback.vehicle.arms.joints import JointedArm
+from springback.vehicle.arms.bent import ON_JOINTS
 from springback.vehicle.propulsion import Propulsion
 from springback.vehicle.rotor_stop import BROKEN, RotorStop, reaction
 from springback.vehicle.rotors import INSTANT, Lag, lag_over
-from springback.vehicle.state import PartMemory, Shell, State, in_body_axes
+from springback.vehicle.state import (
+    PartMemory,
+    Shell,
+    State,
+    coordinates_of_arms,
+    in_body_axes,
+    rates_of_arms,
+)
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -69,6 +76,8 @@ Places = np.ndarray[Any, np.dtype[np.intp]]
 #: Instants closer together than this are one [s].
 ROUNDING = 1e-9
 ATTITUDE = ("qw", "qx", "qy", "qz")
+#: Parts whose motion turns the main body.
+_TURNING = (*ON_JOINTS, Shell)
 
 
 # -- any time base --------------------------------------------------------------------------------
@@ -223,9 +232,10 @@ def _contacts(at: Instant) -> tuple[PartContact, ...]:
     obstacles, body = around.obstacles, around.body
     on_arms = arm_memory(state.memory, at.airframe.arms)
     on_hull = hull_memory(state.memory, at.airframe.hull)
+    lengths = coordinates_of_arms(at.airframe.arms[0], state)
     arms = tree_map(
         _arm_contact,
-        (at.airframe.arms, state.arm_length, state.arm_rate, on_arms),
+        (at.airframe.arms, lengths, rates_of_arms(at.airframe.arms[0], state), on_arms),
         (at.contact_point, around),
     )
     found: tuple[PartContact, ...] = arms + tree_map(
@@ -287,7 +297,7 @@ def angular_acceleration(flight: FlightResult, own: tuple[Own, ...] = ()) -> Arr
     thrusts = _thrusts(flight, model)
     airframe = model.airframe
     listed = airframe.rotors or model.surface_effect
-    if listed or any(isinstance(one, JointedArm | Shell) for one in airframe.arms + airframe.hull):
+    if listed or any(isinstance(one, _TURNING) for one in airframe.arms + airframe.hull):
         reactions = _reactions(flight, model)
         return turning_by_equations(*_beside_second(model, flight), thrusts, reactions)
     omega, felt = _vectors(flight, "w"), _in_body_frame(flight)

@@ -386,7 +386,8 @@ def _state_at_place(start: Start, vehicle: Vehicle) -> State:
     """State at `Start.place`."""
     s, lengths = start, vehicle.lengths(start.compression)
     velocity, spin, rates = Vec(*s.velocity), Vec(*s.angular_velocity), (0.0,) * len(lengths)
-    return State(s.place(), s.attitude(), velocity, spin, lengths, rates)
+    place, attitude = s.place(), s.attitude()
+    return State(place, attitude, velocity, spin, lengths, rates, bends=vehicle.arms.bends())
 
 
 @traceable

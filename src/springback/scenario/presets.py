@@ -27,6 +27,9 @@ from springback.vehicle.library import VEHICLES
 _OWN_SURFACE = '{ preset = "wall", stiffness = 2e6, friction = 0.6 }'
 #: Position in the world.
 POSITION = Unit("m")
+#: Duration of a flight with a run-up that does not say how long it lasts [s]: as in the paper, time
+#: for the run-up, the impact and the recovery.
+RUN_UP_DURATION = 6.0
 
 
 def preset(kind: str, name: str, known: Mapping[str, Any]) -> Any:
@@ -321,9 +324,19 @@ def _with_its_start(given: Mapping[str, Any]) -> dict[str, Any]:
     return {**result, "reference": {**reference, "start": position}}
 
 
+def _with_its_duration(given: Mapping[str, Any]) -> dict[str, Any]:
+    """A raw scenario that flies on for `RUN_UP_DURATION` with a run-up, unless it says how long."""
+    reference, simulation = given.get("reference"), given.get("simulation", {})
+    if not isinstance(reference, Mapping) or not isinstance(simulation, Mapping):
+        return dict(given)
+    if reference.get("type") != "run-up" or "duration" in simulation:
+        return dict(given)
+    return {**given, "simulation": {"duration": RUN_UP_DURATION, **simulation}}
+
+
 def expand_presets(given: Mapping[str, Any]) -> dict[str, Any]:
     """A raw scenario, presets replaced by their values; a run-up begins where the vehicle does."""
-    result = _of_a_vehicle(given)
+    result = _with_its_duration(_of_a_vehicle(given))
     if result.get("second") is not None:
         with within("second"):
             result["second"] = _second(result["second"], result)

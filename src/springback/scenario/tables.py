@@ -191,6 +191,7 @@ class SimulationSettings(Settings):
     """Duration and steps.  The defaults come from studies/convergence.py."""
 
     duration: Duration = 0.5
+    """6 s if the reference is a run-up: time for that, the impact and the recovery."""
     free_step: Duration = 1e-3
     impact_step: Duration = 1e-4
     settle_step: Duration | None = None

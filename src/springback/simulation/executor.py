@@ -57,7 +57,15 @@ from springback.simulation.measuring.record import (
 )
 from springback.simulation.request import motion_after_request
 from springback.simulation.thrusts import body_at, model_at, ramped_step
-from springback.vehicle.state import Airframe, Arm, BodyState, PartMemory, State, compression_of
+from springback.vehicle.state import (
+    Airframe,
+    Arm,
+    BodyState,
+    PartMemory,
+    State,
+    compression_of,
+    coordinates_of_arms,
+)
 
 #: A flight has diverged if the sum of squares of its coordinates and speeds is more than this.
 DIVERGED = 1e12
@@ -213,7 +221,8 @@ def cruise_view(
     """View of a vehicle as one rigid body: nothing touches, no arm moves."""
     of_arms = arm_memory(state.memory, airframe.arms)
     of_hull = hull_memory(state.memory, airframe.hull)
-    arms = tree_map(_far_arm, (airframe.arms, state.arm_length, of_arms), (room, world.obstacles))
+    lengths = coordinates_of_arms(airframe.arms[0], state)
+    arms = tree_map(_far_arm, (airframe.arms, lengths, of_arms), (room, world.obstacles))
     hull = tree_map(_far_hull, (airframe.hull, of_hull), (room, world.obstacles))
     none, a, centre = Vec(0.0, 0.0, 0.0), known.flight.velocity, known.mass_centre_velocity
     bodies = tree_map(_far_body, (moving_bodies(world.obstacles),), ())
@@ -251,7 +260,8 @@ def take_rigid_steps(shape: TreeLayout, b: Buffer, w: int) -> None:
         motion = read(shape.motion, b, at.motion, w, i)
         record = read(shape.record, b, at.record, w, i)
         s, work = motion.state, motion.work
-        body = body_at(model, s.arm_length, record.stepping.time)
+        lengths = coordinates_of_arms(model.airframe.arms[0], s)
+        body = body_at(model, lengths, record.stepping.time)
         x = RigidState(
             s.position, s.attitude, s.velocity, s.angular_velocity, work.thrust, work.air
         )
@@ -259,7 +269,7 @@ def take_rigid_steps(shape: TreeLayout, b: Buffer, w: int) -> None:
         left = model.timing.until - record.stepping.time
         h = left if left < model.timing.free_step else model.timing.free_step
         flown = rigid_step(guide, air, body, gravity, x, h)
-        given = model, s.arm_length, record.stepping.time, x, h
+        given = model, lengths, record.stepping.time, x, h
         flown = fold(ramped_step, flown, model.ramp, given)
         known, new = flown.known, flown.flight
         good = is_finite(new)

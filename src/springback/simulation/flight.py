@@ -40,9 +40,12 @@ from springback.simulation.measuring.record import (
     blank_record,
 )
 from springback.simulation.thrusts import ARRIVED, ThrustTable
+from springback.vehicle.arms.bent import BentArm
 from springback.vehicle.limits import LoadLimits, initial_loads
 from springback.vehicle.placed.rotors import propellers_of
 from springback.vehicle.state import (
+    Airframe,
+    Bend,
     Bristles,
     PartMemory,
     PressedPoints,
@@ -147,7 +150,12 @@ def model_state(model: Model) -> State:
     """State of the structure that a model's flights have, at rest at the origin."""
     bodies = tuple(body.start for body in moving_bodies(model.world.obstacles))
     still = still_state([0.0] * len(model.airframe.arms))._replace(bodies=bodies)
-    return still._replace(memory=memory_at_start(model))
+    return still._replace(memory=memory_at_start(model), bends=bends_at_rest(model.airframe))
+
+
+def bends_at_rest(airframe: Airframe) -> tuple[Bend, ...]:
+    """Second coordinates of arms on two joints, free and at rest; mostly there are none."""
+    return tuple(Bend(0.0, 0.0) for arm in airframe.arms if isinstance(arm, BentArm))
 
 
 def memory_at_start(model: Model) -> VehicleMemory | tuple[()]:
@@ -215,6 +223,9 @@ def first_phase(model: Model, state: State) -> float:
     ):
         if arm.compliance > 0.0 and (length != arm.length or rate != 0.0):
             return IMPACT
+    moves = any(arm.compliance > 0.0 for arm in model.airframe.arms)
+    if moves and any(bend.way != 0.0 or bend.rate != 0.0 for bend in state.bends):
+        return IMPACT
     return FREE_FLIGHT
 
 

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.kernels.compiler import Origin, executor, user_executor, with_globals
+from springback.kernels.concurrent.compilation import compile_with_help
 from springback.kernels.layout import Buffer, row_of, rows, zeros
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.simulation.executor import advance, has_space, to_tick
@@ -140,6 +141,24 @@ def guide(
         if flying > 0:
             return
         at[0], at[1] = k + 1, LOOK
+
+
+def fly_to_tick(
+    layouts: Layouts,
+    buffers: FlightBuffers,
+    noise: NoiseStream,
+    ticks: TickRange,
+    log: FlightLog,
+) -> None:
+    """The physics of `guide`, without sensors and pilot: what can be compiled beside these."""
+    motion, lanes, early = buffers.motion, buffers.lanes, ticks.duration
+    to_tick(layouts.shape, motion, lanes, log.trajectory, SLICE, early)
+
+
+def compile_guide(run: Any, arguments: tuple[Any, ...]) -> None:
+    """Compile `guide`, if it is what will be run with these arguments, by two processes."""
+    if run is guide:
+        compile_with_help(guide, fly_to_tick, arguments)
 
 
 class GuidedFlight(NamedTuple):
@@ -295,6 +314,8 @@ def fly_guided(
         ticks = TickRange(at, end, count - 1, duration, pilot is not None)
         while at[0] < end and has_space(log.trajectory):
             before = tuple(at)
+            if not any(before):
+                compile_guide(run, (layouts, buffers, numbers, ticks, log))
             run(layouts, buffers, numbers, ticks, log)
             if pilot and mailbox and at[1] == DRIVE and tuple(at) != before:
                 memory = _call(pilot, avionics, mailbox, float(at[0]), memory)

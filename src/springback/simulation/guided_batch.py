@@ -9,7 +9,14 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 
 from springback.simulation.flight import empty_log, shape_of
-from springback.simulation.guided import TICKS, GuidedFlight, TickRange, guide_for, ticks_of
+from springback.simulation.guided import (
+    TICKS,
+    GuidedFlight,
+    TickRange,
+    compile_guide,
+    guide_for,
+    ticks_of,
+)
 from springback.simulation.noise import FlightNoise, drawn_stream
 from springback.simulation.ticks import GUST_NOISE, FlightBuffers, FlightLog, layouts_of
 
@@ -54,7 +61,10 @@ def fly_groups(
         log = FlightLog(empty_log(), np.zeros((0, 1)))
         while at[0] < ticks:
             end = min(ticks, int(at[0]) + TICKS)
-            guide(layouts, mine, numbers, TickRange(at, end, ticks - 1, duration, False), log)
+            stretch = TickRange(at, end, ticks - 1, duration, False)
+            if at[0] == 0:
+                compile_guide(guide, (layouts, mine, numbers, stretch, log))
+            guide(layouts, mine, numbers, stretch, log)
 
     batches = range(0, len(buffers.motion), TOGETHER)
     with ThreadPoolExecutor(threads or os.cpu_count() or 1) as pool:

@@ -41,7 +41,13 @@ from springback.kernels.trees import leaves, tree_map
 from springback.kernels.vectors import Vec
 from springback.simulation.flight import model_state, own_types, sources
 from springback.simulation.measuring.record import Model
-from springback.vehicle.state import Airframe, PartMemory, State
+from springback.vehicle.state import (
+    Airframe,
+    PartMemory,
+    State,
+    coordinates_of_arms,
+    rates_of_arms,
+)
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Places = np.ndarray[Any, np.dtype[np.intp]]
@@ -122,9 +128,10 @@ def _evaluate(at: Instant) -> Evaluation:
     obstacles, body = around.obstacles, around.body
     on_arms = arm_memory(state.memory, at.airframe.arms)
     on_hull = hull_memory(state.memory, at.airframe.hull)
+    lengths = coordinates_of_arms(at.airframe.arms[0], state)
     arms = tree_map(
         _arm_loads,
-        (at.airframe.arms, state.arm_length, state.arm_rate, on_arms),
+        (at.airframe.arms, lengths, rates_of_arms(at.airframe.arms[0], state), on_arms),
         (at.contact_point, around),
     )
     parts = arms + tree_map(_hull_loads, (at.airframe.hull, on_hull), (obstacles, body))
@@ -174,7 +181,25 @@ def states_at(model: Model, columns: Mapping[str, Array], places: Places | slice
     moving = [_body_states(body, columns, places, len(states)) for body in bodies]
     kept = memory_columns(model_state(model).memory)
     held = [np.stack([columns[name][places] for name in kept], axis=1)] if kept else []
-    return np.concatenate([states, *moving, *held], axis=1)
+    bent = bend_columns(len(model_state(model).bends))
+    bends = [np.stack([columns[name][places] for name in bent], axis=1)] if bent else []
+    return np.concatenate([states, *moving, *held, *bends], axis=1)
+
+
+def bend_columns(count: int) -> dict[str, tuple[str, str]]:
+    """Columns of a trajectory for the second joints of arms.
+
+    Args:
+        count: Number of arms that have one.
+
+    Returns:
+        Names in the trace, and units, by the name of the column, in the order of a state.
+    """
+    found = {}
+    for j in range(1, count + 1):
+        found[f"bend{j}"] = (f"state.bends.{j}.way", "m")
+        found[f"dbend{j}"] = (f"state.bends.{j}.rate", "m/s")
+    return found
 
 
 def memory_columns(memory: Any) -> dict[str, tuple[str, str]]:

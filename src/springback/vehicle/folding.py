@@ -8,7 +8,7 @@ from __future__ import annotations
 from math import cos, pi, sin
 from typing import Any
 
-from springback.vehicle.arms.joint_settings import HingeSettings
+from springback.vehicle.arms.joint_settings import HingeSettings, SecondHinge
 from springback.vehicle.arms.settings import Arms
 from springback.vehicle.force_laws import HullSurface
 from springback.vehicle.hulls import CapsuleHull
@@ -48,9 +48,13 @@ def morphy_vehicle(body_mass: float, inertia: tuple[float, float, float], **more
         places.append((*_turned(hinge, -angle), 0.0))
         axes.append((*_turned(right, -angle), 0.0))
     square = _MOTOR * _ARM * _ARM
+    law = {"quadratic": _QUADRATIC * square, "damping": _DAMPING * square}
+    sideways = SecondHinge(
+        type="hinge", position=tuple(places), axis=(0.0, 0.0, 1.0), travel=(-0.1, 0.1), **law
+    )
     joint = HingeSettings(
         type="hinge", position=tuple(places), axis=tuple(axes), travel=(-0.376, 0.376),
-        quadratic=_QUADRATIC * square, damping=_DAMPING * square,
+        second=sideways, **law,
     )  # fmt: skip
     arms = Arms(
         directions=free.directions, length=free.length, mass=_MOTOR, cage_radius=0.042, joint=joint,
@@ -69,7 +73,7 @@ def _turned(place: Place, angle: float) -> Place:
 
 MORPHY = Entry(
     morphy_vehicle(0.225, (4.225e-4, 4.225e-4, 8.45e-4), hull=Hull(radius=0.04)),
-    "NTNU's Morphy: arms of elastomer that bend up and down",
+    "NTNU's Morphy: arms of elastomer that bend up and down, and a little to either side",
     {
         "body.mass": f"given: {_MORPHY}",
         "body.inertia": f"given: {_MORPHY}",
@@ -79,8 +83,8 @@ MORPHY = Entry(
         "arms.mass": f"given: {_MORPHY}, at the end of an arm",
         "arms.joint": f"given: {_MORPHY}: angular acceleration −5834 θ|θ| − 230 θ̇ of the mass at "
         "the end of an arm, which its authors fitted to an arm that was let go; there ±0.25 rad "
-        "about a rest position of 7.2 deg, here ±0.376 about level; the second axis, ±0.1 rad "
-        "to the side, is left out",
+        "about a rest position of 7.2 deg, here ±0.376 about level; to the side ±0.1 rad by the "
+        "same law, about the same point, there as well with a rest of 7.2 deg, here straight",
         "arms.cage_radius": "chosen: 42 mm, of propellers of 3 inch; the robot has no guards",
         "arms.torque_ratio": f"given: {_MORPHY}, torque over thrust",
         "propulsion.max_thrust": f"given: {_MORPHY}, at most 2 N each",

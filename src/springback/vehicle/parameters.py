@@ -15,7 +15,8 @@ from springback.kernels.tracing import hypot, sqrt, traceable  # for batch set-u
 from springback.kernels.vectors import Mat3, Vec
 from springback.quantities import Mass, PerArm, Triple, Unit, si_number
 from springback.settings import Name, Settings, naming, problem
-from springback.vehicle.arms.joints import JointedArm
+from springback.vehicle.arms.bent import BentArm
+from springback.vehicle.arms.joints import JointedArm, preload_strain
 from springback.vehicle.arms.settings import Arms as Arms
 from springback.vehicle.arms.settings import exact
 from springback.vehicle.hulls import HullSettings, SphereHull, compound_hull, no_hull
@@ -407,12 +408,12 @@ class Vehicle(Settings):
         for j in range(self.arm_count):
             if self.arms.at("compliant", j):
                 more_k, more_b = self.arms.most_between
-                m, b = self.arms.at("mass", j), self.arms.at("damping", j) + more_b
-                k = self.arms.steepest(j) + more_k
-                root = sqrt(max(b * b - 4.0 * k * m, 0.0))
-                rates.append(max((b + root) / (2.0 * m), sqrt(k / m)))
-                if self.arms.end_stops:
-                    rates.append(sqrt(self.arms.at("stop_stiffness", j) / m))
+                for own_k, own_b, m in self.arms.stiffest(j):
+                    k, b = own_k + more_k, own_b + more_b
+                    root = sqrt(max(b * b - 4.0 * k * m, 0.0))
+                    rates.append(max((b + root) / (2.0 * m), sqrt(k / m)))
+                    if self.arms.end_stops:
+                        rates.append(sqrt(self.arms.at("stop_stiffness", j) / m))
         return max(rates)
 
     @traceable
@@ -433,7 +434,7 @@ class Vehicle(Settings):
             self.mass, inertia, tuple(built), self._hull_of("body"), neighbours, placed
         )  # fmt: skip
 
-    def _arm(self, j: int, disc: tuple[Propeller, ...]) -> Arm | JointedArm:
+    def _arm(self, j: int, disc: tuple[Propeller, ...]) -> Arm | JointedArm | BentArm:
         """Numbers of arm ``j``, from 0."""
         arms, angle = self.arms, self.arms.directions[j]
         slides = bool(arms.at("compliant", j))
@@ -459,19 +460,20 @@ class Vehicle(Settings):
                 stiffness=arms.at("stiffness", j), shortest=length - arms.at("stroke", j), **common,
             )  # fmt: skip
         spring, (low, high) = arms.spring(j), arms.travel(j)
-        return JointedArm(
-            joint=arms.joint_of(j), spring=spring,
-            stiffness=arms.linear(j), resting_stiffness=arms.at("stiffness", j),
-            shortest=length - high, longest=length - low, **common,
-        )  # fmt: skip
+        common |= {
+            "joint": arms.joint_of(j), "spring": spring,
+            "stiffness": arms.linear(j), "resting_stiffness": arms.at("stiffness", j),
+            "shortest": length - high, "longest": length - low,
+        }  # fmt: skip
+        second = arms.second_joint(j)
+        return JointedArm(**common) if second is None else BentArm(second=second, **common)
 
     def _strain(self, j: int) -> float:
         """How far a preload presses arm ``j``, from 0, into its stop at rest [m]."""
         arms, spring = self.arms, self.arms.spring(j)
         if not arms.at("compliant", j) or spring.preload == 0.0:
             return 0.0
-        pulls = arms.linear(j) if spring.both_sides > 0.0 and spring.play == 0.0 else 0.0
-        return float(spring.preload / (arms.at("stop_stiffness", j) + pulls))
+        return preload_strain(spring, arms.linear(j), arms.at("stop_stiffness", j))
 
     def lengths(self, compression: PerArm = 0.0) -> tuple[float, ...]:
         """Arm lengths at rest [m]: free, but for a preload, which presses the stop.

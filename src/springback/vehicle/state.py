@@ -243,6 +243,13 @@ class VehicleMemory(NamedTuple):
     hull: tuple[PartMemory, ...]  # of the main body, if it has a hull
 
 
+class Bend(NamedTuple):
+    """Second coordinate of an arm on two joints; or, field by field, its rate."""
+
+    way: float  # s₂, along the path of the second joint, 0 where that is free [m]
+    rate: float  # ṡ₂ [m/s]
+
+
 class State(NamedTuple):
     """Position, attitude and velocities of a vehicle; or, field by field, their rates."""
 
@@ -254,6 +261,31 @@ class State(NamedTuple):
     arm_rate: tuple[float, ...]  # l̇_j [m/s]
     bodies: tuple[BodyState, ...] = ()  # obstacles that move; mostly none
     memory: Any = ()  # `VehicleMemory` where a surface has one
+    bends: tuple[Bend, ...] = ()  # of arms on two joints; mostly none
+
+
+@generic
+def coordinates_of_arms(arm: Any, state: State) -> tuple[Any, ...]:
+    """Of each arm where it is along its path, or both its paths.
+
+    Args:
+        arm: Any one of the arms, whose type tells the kind.
+        state: Of the vehicle.
+    """
+    return state.arm_length
+
+
+@generic
+def rates_of_arms(arm: Any, state: State) -> tuple[Any, ...]:
+    """Rates of `coordinates_of_arms`; arguments as there."""
+    return state.arm_rate
+
+
+@generic
+def largest_rate(rate: Any) -> float:
+    """Size of the rate of an arm, of both if it has two [m/s]."""
+    size: float = abs(rate)
+    return size
 
 
 @kernel
@@ -278,7 +310,8 @@ def _speed(arm: Arm, rate: float) -> float:
 def fastest_cage(airframe: Airframe, state: State) -> float:
     """Upper bound on the speed of any point of the vehicle [m/s], with sliding arms."""
     fastest = fastest_point(airframe, state.velocity, state.angular_velocity)
-    return fastest + maximum(tree_map(fastest_of_arm, (airframe.arms, state.arm_rate), ()))
+    arm_rates = rates_of_arms(airframe.arms[0], state)
+    return fastest + maximum(tree_map(fastest_of_arm, (airframe.arms, arm_rates), ()))
 
 
 class ArmPose(NamedTuple):

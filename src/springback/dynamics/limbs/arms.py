@@ -60,6 +60,7 @@ from springback.vehicle.placed.rotors import (
 from springback.vehicle.state import (
     Airframe,
     Arm,
+    Bend,
     PartMemory,
     PressedPoints,
     arms_inertia,
@@ -104,7 +105,7 @@ class ArmShare(NamedTuple):
 class ArmPull(NamedTuple):
     """Acceleration of an arm along its slide once a' is known: l̈ = drive − u e·a'."""
 
-    drive: float  # u_j h_j / m_j
+    drive: Any  # u_j h_j / m_j; of two joints both
     hold: float  # u_j
 
 
@@ -310,15 +311,33 @@ def arm_acceleration(arm: Any, length: float, known: ArmState, a: Vec, alpha: Ve
 @arm_acceleration.register(Arm)
 @kernel
 def _along_slide(arm: Arm, length: float, known: ArmState, a: Vec, alpha: Vec) -> float:
-    return known.pull.drive - known.pull.hold * (arm.cosine * a.x + arm.sine * a.y)
+    along: float = known.pull.drive - known.pull.hold * (arm.cosine * a.x + arm.sine * a.y)
+    return along
+
+
+@generic
+def length_accelerations(arm: Any, accelerations: tuple[Any, ...]) -> tuple[float, ...]:
+    """Of the accelerations of all arms those of their lengths [m/s²].
+
+    Args:
+        arm: Any one of the arms, whose type tells the kind.
+        accelerations: By `arm_acceleration`, along their paths.
+    """
+    return accelerations
+
+
+@generic
+def bend_rates(arm: Any, bends: tuple[Bend, ...], accelerations: tuple[Any, ...]) -> Any:
+    """Rates of the second coordinates of all arms; arguments as for `length_accelerations`."""
+    return ()
 
 
 class ArmMotion(NamedTuple):
-    """Length of an arm and its rates."""
+    """Length of an arm and its rates; of one on two joints, both coordinates."""
 
-    length: float  # [m]
-    rate: float  # [m/s]
-    acceleration: float  # [m/s²]
+    length: Any  # [m]
+    rate: Any  # [m/s]
+    acceleration: Any  # [m/s²]
 
 
 @generic
@@ -339,15 +358,22 @@ def _at_end(arm: Arm, moves: ArmMotion, body: BodyAcceleration) -> BodyAccelerat
 
 
 @kernel
-def arm_motion(length: float, rate: float, acceleration: float) -> ArmMotion:
+def arm_motion(length: Any, rate: Any, acceleration: Any) -> ArmMotion:
     """Length of an arm and its rates, in one."""
     return ArmMotion(length, rate, acceleration)
+
+
+@generic
+def unbalanced_force(arm: Any, moves: ArmMotion) -> float:
+    """Net force that moves an arm from its position, m l̈ + b l̇ [N]."""
+    away: float = arm.mass * moves.acceleration + arm.damping * moves.rate
+    return away
 
 
 @kernel
 def completed_view(known: ArmState, arm: Any, moves: ArmMotion, body: BodyAcceleration) -> ArmView:
     """The view of an arm, completed by its acceleration."""
-    away = arm.mass * moves.acceleration + arm.damping * moves.rate
+    away = unbalanced_force(arm, moves)
     at_end = acceleration_at_end(arm, moves, body)
     next_ = fold(or_turn, known.seen.crossing, known.turns, (at_end,))
     return replace(known.seen, unbalance=away, crossing=next_)

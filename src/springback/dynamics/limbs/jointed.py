@@ -23,7 +23,7 @@ For slides in the body plane through the main body r_j × e_j = 0: what remains 
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from springback.contact.cage import moving_bodies
 from springback.contact.hull_contact import arm_sight
@@ -118,8 +118,13 @@ def _turned_reaction(reaction: Reaction, turn: Mat3) -> Reaction:
 
 
 @kernel
-def _turned_contact(contact: Contact, turn: Mat3) -> Contact:
-    """A contact in the axes of what is at the end of an arm, in those of the body."""
+def turned_contact(contact: Contact, turn: Mat3) -> Contact:
+    """A contact in the axes of what is at the end of an arm, in those of the body.
+
+    Args:
+        contact: In the former.
+        turn: The former to the latter.
+    """
     reactions = tree_map(_turned_reaction, (contact.reactions,), (turn,))
     return replace(
         contact, force=turn @ contact.force, moment=turn @ contact.moment, reactions=reactions
@@ -127,7 +132,14 @@ def _turned_contact(contact: Contact, turn: Mat3) -> Contact:
 
 
 @kernel
-def _grip_of(met: CageContact, turn: Mat3, direction: Vec) -> FrictionDamping:
+def grip_along(met: CageContact, turn: Mat3, direction: Vec) -> FrictionDamping:
+    """Friction of a contact of an arm as a damper.
+
+    Args:
+        met: In the axes of what is at the end of the arm.
+        turn: These axes, to body axes.
+        direction: In which the end moves, body axes.
+    """
     damper = met.touch.grip.alone
     return friction_damping(damper, turn @ met.inward, turn @ met.rubbing_at, direction)
 
@@ -180,7 +192,7 @@ def _joint_state(
     contacts = arm_touch(arm, sight, engaged, push, memory, around.contact_point)
     met = contacts.met
     contact = contact_of(contacts.load, moving_bodies(sight.obstacles), met)
-    contact = _turned_contact(contact, turn)
+    contact = turned_contact(contact, turn)
     stop = end_stop(arm, length, rate)
 
     up = thrust_direction(arm, there)
@@ -210,7 +222,7 @@ def _joint_state(
         inertia=point_inertia(m, end),
         arm_loss=u * (arm.damping * rate * rate),
         stop_loss=u * stop.loss,
-        grip=tree_sum(tree_map(_grip_of, (met,), (turn, e))),
+        grip=tree_sum(tree_map(grip_along, (met,), (turn, e))),
     )
     per_mass = u * arm.inverse_mass
     load = tree_sum(tree_map(_along_path_of, (met,), (turn, there, k)))
@@ -232,7 +244,8 @@ def _joint_state(
 def _along_path(arm: JointedArm, length: float, known: ArmState, a: Vec, alpha: Vec) -> float:
     there = joint_pose(arm, length, 0.0)
     e = there.direction
-    return known.pull.drive - known.pull.hold * (e @ a + (there.end ^ e) @ alpha)
+    along: float = known.pull.drive - known.pull.hold * (e @ a + (there.end ^ e) @ alpha)
+    return along
 
 
 @acceleration_at_end.register(JointedArm)
@@ -247,9 +260,10 @@ def _at_end(arm: JointedArm, moves: ArmMotion, body: BodyAcceleration) -> BodyAc
 
 @assemble.register(JointedArm)
 @kernel
-def _assembled_in_space(
-    arm: JointedArm, airframe: Airframe, share: JointShare, acts: ActingLoad
+def assembled_in_space(
+    arm: Any, airframe: Airframe, share: JointShare, acts: ActingLoad
 ) -> Assembly:
+    """The six equations of a vehicle whose arms are on joints; arguments as for `assemble`."""
     a, omega, contact, m = share, acts.omega, acts.contact, airframe.mass
     force = contact.force + a.push + acts.blown - a.taken - a.inertial
     force = fold(with_rotor_push, force, acts.listed, ())

@@ -9,6 +9,7 @@ from springback.dynamics.solution import SpatialSystem, System, solve
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import replace, tree_map, tree_sum
 from springback.kernels.vectors import Mat3, Quat, Vec, isotropic, quaternion_rate, rotation, skew
+from springback.vehicle.arms.bent import BentArm, bent_pose, bent_thrust_direction
 from springback.vehicle.arms.joints import JointedArm, joint_pose, point_inertia, thrust_direction
 from springback.vehicle.placed.rotors import PlacedRotors, acting_rotors
 from springback.vehicle.state import (
@@ -229,6 +230,27 @@ def _of_joints(
     arm: JointedArm, airframe: Airframe, lengths: tuple[float, ...], thrust: tuple[float, ...]
 ) -> LeaningBody:
     a = tree_sum(tree_map(_part_on_joint, (airframe.arms, lengths, thrust), ()))
+    return LeaningBody(
+        airframe.mass, airframe.inverse_mass, a.carried, airframe.inertia + a.inertia, a.push,
+        a.rotor_moment,
+    )  # fmt: skip
+
+
+@kernel
+def _part_on_two(arm: BentArm, length: Any, thrust: float) -> _JointPart:
+    there = bent_pose(arm, length, 0.0)
+    up = bent_thrust_direction(arm, there)
+    push = thrust * up
+    moment = (there.end ^ push) + (thrust * arm.torque_ratio) * up
+    return _JointPart(arm.mass * there.end, point_inertia(arm.mass, there.end), push, moment)
+
+
+@with_locked_arms.register(BentArm)
+@kernel
+def _of_two_joints(
+    arm: BentArm, airframe: Airframe, lengths: tuple[Any, ...], thrust: tuple[float, ...]
+) -> LeaningBody:
+    a = tree_sum(tree_map(_part_on_two, (airframe.arms, lengths, thrust), ()))
     return LeaningBody(
         airframe.mass, airframe.inverse_mass, a.carried, airframe.inertia + a.inertia, a.push,
         a.rotor_moment,

@@ -22,6 +22,7 @@ from springback.interfaces.replay.scene import (
 )
 from springback.interfaces.replay.tracks import BodyTrack, turned_by
 from springback.kernels.vectors import Vec
+from springback.vehicle.arms.paths import ArmPath
 from springback.vehicle.placed.settings import disc_axes
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -80,6 +81,11 @@ class SceneInstant(NamedTuple):
     force: Array  # of each contact [N], shape (contacts, 3)
     point: Array  # of application [m], shape (contacts, 3)
     bodies: tuple[BodyPlace, ...]  # of the obstacles that move
+    bends: Array = np.zeros(0)  # ways of the second joints of arms [m]; empty where they have none
+
+    def bend(self, j: int) -> float:
+        """Way of the second joint of arm ``j``, from 0 [m]; 0 where it has none."""
+        return float(self.bends[j]) if len(self.bends) else 0.0
 
 
 def pose(scene: Scene, t: float) -> SceneInstant:
@@ -106,6 +112,7 @@ def pose(scene: Scene, t: float) -> SceneInstant:
         scene.thrust[near], between(scene.force), point,
         tuple(_place(track, between(track.position), _mixed(track.attitude, k, share))
               for track in scene.bodies),
+        between(scene.bends) if len(scene.bends) else np.zeros(0),
     )  # fmt: skip
 
 
@@ -222,21 +229,26 @@ class RotorPlace(NamedTuple):
 
 def ends(arms: Sequence[ArmShape], now: SceneInstant, *, free: bool = False) -> Array:
     """Ends of the arms, with their cages, at present or at free length, shape (arms, 3)."""
-    lengths = np.array([arm.length for arm in arms]) if free else now.lengths
-    levers = [arm.path(lengths[[j]]).end[0] for j, arm in enumerate(arms)]
+    levers = [path.end[0] for path in _paths(arms, now, free=free)]
     return np.asarray(now.position + np.array(levers) @ now.rotation.T)
+
+
+def _paths(arms: Sequence[ArmShape], now: SceneInstant, *, free: bool) -> list[ArmPath]:
+    """Of each arm its path at one instant."""
+    lengths = np.array([arm.length for arm in arms]) if free else now.lengths
+    bends = [0.0 if free else now.bend(j) for j in range(len(arms))]
+    return [arm.path(lengths[[j]], np.array([bends[j]])) for j, arm in enumerate(arms)]
 
 
 def end_places(
     arms: Sequence[ArmShape], now: SceneInstant, *, free: bool = False
 ) -> list[EndPlace]:
     """Ends of the arms as by `ends`, and how they are turned."""
-    lengths = np.array([arm.length for arm in arms]) if free else now.lengths
-    found = []
-    for arm, tip, length in zip(arms, ends(arms, now, free=free), lengths, strict=True):
+    found, tips, paths = [], ends(arms, now, free=free), _paths(arms, now, free=free)
+    for arm, tip, path in zip(arms, tips, paths, strict=True):
         turn = now.rotation
         if arm.joint:
-            turn = turn @ arm.path(np.array([length])).turn[0]
+            turn = turn @ path.turn[0]
         found.append(EndPlace(tip, turn))
     return found
 
@@ -258,13 +270,14 @@ def rotor_places(
 
 def hinges(arms: Sequence[ArmShape], now: SceneInstant) -> Array:
     """Hinges of the arms that have one and can turn, world [m], shape (hinges, 3)."""
-    anchors = [arm.joint[0].anchor for arm in arms if is_hinged(arm)]
+    pairs = zip(arms, now.lengths.tolist(), strict=True)
+    anchors = [pin for arm, length in pairs if is_hinged(arm) for pin in arm.pivots(length)]
     return np.asarray(now.position + np.array(anchors).reshape(-1, 3) @ now.rotation.T)
 
 
 def is_hinged(arm: ArmShape) -> bool:
     """True for an arm that turns about a hinge."""
-    return arm.compliant and any(joint.is_hinge for joint in arm.joint)
+    return arm.compliant and any(joint.is_hinge for joint in arm.joint + arm.second)
 
 
 class LatchPlace(NamedTuple):
@@ -305,8 +318,15 @@ def neighbour_lines(
     return found
 
 
-def arm_line(arm: ArmShape, now: SceneInstant, length: float) -> Array:
-    """Line of an arm from the main body to its end: a helix for a spring on a slide."""
+def arm_line(arm: ArmShape, now: SceneInstant, length: float, bend: float = 0.0) -> Array:
+    """Line of an arm from the main body to its end: a helix for a spring on a slide.
+
+    With a second joint, of some way [m], it is drawn by way of its hinges.
+    """
+    if arm.second:
+        end = arm.path(np.array([length]), np.array([bend])).end[0]
+        places = [np.zeros(3), *(arm.pivots(length) if arm.compliant else ()), end]
+        return np.asarray(now.position + np.array(places) @ now.rotation.T)
     if arm.joint:
         return _line_on_joint(arm, arm.joint[0], now, length)
     along = now.rotation @ np.array(arm.direction)

@@ -213,7 +213,8 @@ def _caption(scene: Scene, now: SceneInstant) -> str:
     """Sum of all contact forces, and compression of the arms, in one line."""
     said = f"contact, sum {float(_size(now.force.sum(axis=0))):.0f} N"
     if any(arm.compliant for arm in scene.arms):
-        pressed = [arm.yielding(v) for arm, v in zip(scene.arms, now.lengths, strict=True)]
+        given = enumerate(zip(scene.arms, now.lengths, strict=True))
+        pressed = [arm.yielding(v, now.bend(j)) for j, (arm, v) in given]
         said += f", arms give {1e3 * max(*pressed, 0.0):.1f} mm"
     return said
 

@@ -236,11 +236,11 @@ class RobotLines:
         for j, (arm, tip) in enumerate(zip(scene.arms, places, strict=True)):
             points = None if arm.caged else 0
             rest = ring(free[j].position, arm.cage_radius, free[j].rotation)[:points]
-            pressed = abs(arm.length - now.lengths[j]) > PRESSED
+            pressed = max(abs(arm.length - now.lengths[j]), abs(now.bend(j))) > PRESSED
             self.free[j].set_data(*view(rest if pressed else rest[:0]).T)
             cage = ring(tip.position, arm.cage_radius, tip.rotation)[:points]
             self.cages[j].set_data(*view(cage).T)
-            self.arms[j].set_data(*view(arm_line(arm, now, now.lengths[j])).T)
+            self.arms[j].set_data(*view(arm_line(arm, now, now.lengths[j], now.bend(j))).T)
         rotors = rotor_places(scene.rotors, places, now)
         for line, circle, thrust, rotor in zip(
             self.thrusts, self.discs, now.thrust, rotors, strict=True

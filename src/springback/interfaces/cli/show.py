@@ -104,6 +104,7 @@ def _compile(scenarios: tuple[Path, ...], terminal: Terminal) -> None:
         kinds_of,
         plan_of,
     )
+    from springback.campaign.compiler_times import is_packaged
     from springback.kernels.compiler import cache_folder
     from springback.results.flight import as_scenario
 
@@ -116,7 +117,8 @@ def _compile(scenarios: tuple[Path, ...], terminal: Terminal) -> None:
         times[done.name] = round(done.seconds, 1)
         terminal.note(f"{done.name}: {done.seconds:.0f} s")
     data = {"folder": str(cache_folder()), "seconds": times}
-    terminal.print(data, f"kernels of {len(times)} kinds of flight are in {cache_folder()}")
+    came = " or came with the package" if any(is_packaged(one.kind) for one in plan.cached) else ""
+    terminal.print(data, f"kernels of {len(times)} kinds of flight are in {cache_folder()}{came}")
 
 
 # -- worlds of other programs ---------------------------------------------------------------------

@@ -88,6 +88,9 @@ def _motion(flight: Flight) -> Figure:
     if any(np.ptp(c[f"l{j}"]) > 1e-9 for j in arms):
         lengths = alike("arm", [(j, 1e3 * c[f"l{j}"]) for j in arms])
         panels.append(panel("Arm length [mm]", lengths))
+    if "bend1" in c:
+        bends = alike("arm", [(j, 1e3 * c[f"bend{j}"]) for j in arms])
+        panels.append(panel("Arm bend, second joint [mm]", bends))
     touched = [j for j in arms if np.any(c[f"fn{j}"] > 0.0)]
     body = body_curves(c, {"fn": "body", "ff": "friction body"})
     if touched or body:

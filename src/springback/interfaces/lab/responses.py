@@ -174,6 +174,8 @@ def curves(flight: Flight, scene: Scene) -> Iterable[Series]:
     arms = range(1, flight.scenario.vehicle.arm_count + 1)
     lengths = flight.scenario.vehicle.arms
     pressed = np.max([lengths.at("length", j - 1) - c[f"l{j}"] for j in arms], axis=0)
+    for j in arms:
+        pressed = np.maximum(pressed, np.abs(c.get(f"bend{j}", 0.0)))
     pushed = np.linalg.norm(scene.force.sum(axis=1), axis=1)
     felt = np.sqrt(c["ax"] ** 2 + c["ay"] ** 2 + c["az"] ** 2)
     yield Series("Acceleration", "main body", "m/s²", felt)

@@ -34,7 +34,7 @@ def extras_found() -> dict[str, dict[str, str]]:
 def diagnosis() -> dict[str, Any]:
     """Versions, folder of kernels, and comparison of a compiled flight with plain Python."""
     from springback.extras import packages
-    from springback.kernels.compiler import cache_folder, is_writable
+    from springback.kernels.compiler import cache_folder, is_writable, packaged_status
     from springback.results.flight import as_scenario
     from springback.simulation.flight import fly_one
     from springback.version import __version__
@@ -57,7 +57,11 @@ def diagnosis() -> dict[str, Any]:
         "executable": sys.executable,
         "core": {name: _version(name) for name in packages()[""]},
         "extras": extras_found(),
-        "kernels": {"folder": str(folder), "writable": is_writable(folder)},
+        "kernels": {
+            "folder": str(folder),
+            "writable": is_writable(folder),
+            "packaged": packaged_status(),
+        },
         "compiled_equals_python": compiled.motion == plain.motion
         and compiled.record == plain.record,
     }

@@ -47,6 +47,7 @@ def _curves(columns: Mapping[str, Array], arms: int) -> tuple[Array, Array]:
     names |= {name: BOUNDS["m"] for name in columns if OBSTACLE_PLACE.fullmatch(name)}
     names |= {name: BOUNDS[""] for name in columns if OBSTACLE_TURN.fullmatch(name)}
     names |= {f"l{j}": ARM_BOUND for j in range(1, arms + 1)}
+    names |= {f"bend{j}": ARM_BOUND for j in range(1, arms + 1) if f"bend{j}" in columns}
     names |= {f"a{axis}": max(ACCELERATION_BOUND, SHARE * hardest) for axis in "xyz"}
     names |= dict.fromkeys(forces, max(FORCE_BOUND, SHARE * peak))
     return np.stack([columns[name] for name in names], axis=1), np.array(list(names.values()))
@@ -125,6 +126,7 @@ def departure(columns: Mapping[str, Array], arms: int, places: Places) -> dict[s
         "position": worst("x", "y", "z"),
         "attitude": worst("qw", "qx", "qy", "qz"),
         "arm_length": worst(*(f"l{j}" for j in numbers)),
+        **({"bends": worst(*(f"bend{j}" for j in numbers))} if "bend1" in columns else {}),
         **({"obstacles": worst(*obstacles)} if obstacles else {}),
         "velocity": worst("vx", "vy", "vz"),
         "acceleration": worst("ax", "ay", "az"),

@@ -17,7 +17,7 @@ from __future__ import annotations
 
 import base64
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, is_dataclass
+from dataclasses import dataclass, field, fields, is_dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -26,11 +26,14 @@ from springback.contact.worlds import Own
 from springback.dynamics.motion import Slider
 from springback.errors import InputError
 from springback.interfaces.output.robots import robot_label
+from springback.interfaces.replay.arm_shapes import ArmShape as ArmShape
+from springback.interfaces.replay.arm_shapes import JointShape as JointShape
+from springback.interfaces.replay.arm_shapes import LatchShape as LatchShape
+from springback.interfaces.replay.arm_shapes import arm_shapes as arm_shapes
 from springback.interfaces.replay.geometry import Drawable, drawables
 from springback.interfaces.replay.hull_meshes import HullMesh, hull_meshes, mesh_of_hull
 from springback.interfaces.replay.instants import departure, drawn_instants
 from springback.interfaces.replay.tracks import BodyTrack, body_tracks
-from springback.kernels.vectors import Vec, norm
 from springback.results.events import Event, impacts_of, parts_of
 from springback.results.flight import Flight
 from springback.results.pair.contacts import loads_on_first, loads_on_second
@@ -39,22 +42,16 @@ from springback.scenario.tables import UserShape
 from springback.scenario.worlds.imported import single_obstacles
 from springback.simulation.measuring.record import Model
 from springback.simulation.playback import LoadHistory, load_history
-from springback.vehicle.arms.joints import STRAIGHT, Joint, JointedArm
+from springback.vehicle.arms.bent import ON_JOINTS
 from springback.vehicle.arms.neighbours import NeighbourSprings
-from springback.vehicle.arms.paths import ArmPath, joint_path, planar_path
 from springback.vehicle.hulls import SphereHull
 from springback.vehicle.parameters import Vehicle
-from springback.vehicle.state import Airframe, Arm
+from springback.vehicle.state import Airframe
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 #: Energies that change by less than this fraction of the largest change are not plotted (chosen).
 SEEN = 1e-4
-#: Chosen, of a slide's spring: its inner seat is at least, and its outer seat from the end of the
-#: arm, at this share of the end's distance from the main body; length between both, per stroke.
-SEAT, COLLAR, ROOM = 0.24, 0.13, 1.8
-#: Chosen: place of a latch between the end of a hinged arm, 0, and its hinge, 1.
-LATCHED = 0.55
 #: Recomputed forces may differ from the columns by this fraction of the peak (chosen: rounding).
 AGREES = 1e-6
 
@@ -63,65 +60,12 @@ AGREES = 1e-6
 BLADES = 0.62
 
 
-class JointShape(NamedTuple):
-    """Joint of an arm: a slide in any direction, or a hinge."""
-
-    path: Joint  # of the end of the arm
-    anchor: tuple[float, ...]  # where it is on the main body: hinge, or seat of the spring [m]
-
-    @property
-    def is_hinge(self) -> bool:
-        """True for a hinge, whose path is an arc about the anchor."""
-        return self.path.curvature > STRAIGHT
-
-
-class LatchShape(NamedTuple):
-    """Latch of an arm: a face on it meets one on the main body, until it opens."""
-
-    face: tuple[float, ...]  # where they meet, from the main body, body axes [m]
-    travel: float  # way of the arm's end at which it opens [m]
-
-
 class NeighbourShape(NamedTuple):
     """Spring between the ends of two arms."""
 
     first: int  # number of the arm, from 0
     second: int
     distance: float  # between the ends where it is free [m]
-
-
-class ArmShape(NamedTuple):
-    """An arm with its cage; what is at the end of a hinged arm turns with it."""
-
-    direction: tuple[float, ...]  # of its free end from the main body, unit vector, body axes
-    length: float  # free length [m]
-    shortest: float  # length at full stroke [m]
-    cage_radius: float  # [m]; the circle lies in the plane of the arms while the arm is free
-    caged: bool  # False: it is no cage
-    compliant: bool
-    hulls: tuple[HullMesh, ...] = ()  # from its end
-    joint: tuple[JointShape, ...] = ()  # none: it slides along its direction
-    latch: tuple[LatchShape, ...] = ()
-
-    @property
-    def reach(self) -> float:
-        """Distance of its free end from the main body [m]."""
-        return float(np.linalg.norm(self.joint[0].path.end)) if self.joint else self.length
-
-    def path(self, lengths: Array) -> ArmPath:
-        """Path of its end, by its lengths [m]."""
-        for joint in self.joint:
-            return joint_path(joint.path, lengths - self.length)
-        return planar_path(np.array(self.direction), lengths)
-
-    def yielding(self, length: float) -> float:
-        """How far it has given way at a length [m]: on a joint, to either side."""
-        pressed = self.length - length
-        return abs(pressed) if self.joint else pressed
-
-    def is_open(self, length: float) -> bool:
-        """True if it has a latch, which has opened, at a length [m]."""
-        return any(self.length - length > one.travel for one in self.latch)
 
 
 class RotorShape(NamedTuple):
@@ -211,6 +155,8 @@ class Scene:
     """Number of its world: scenes of one world are drawn in one place."""
     neighbours: tuple[NeighbourShape, ...] = ()
     """Springs between arms."""
+    bends: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    """Ways of the second joints of arms [m], shape (n, arms); empty where arms have none."""
 
 
 def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Scene:
@@ -295,7 +241,15 @@ def _scene(
         departure=departure(c, count, places),
         notes=things.notes + _doubts(flight, loads, places),
         neighbours=neighbour_shapes(model.airframe),
+        bends=_bends(c, count, places),
     )
+
+
+def _bends(columns: dict[str, Array], count: int, places: Any) -> Array:
+    """Ways of the second joints [m], shape (n, arms) or, without, (0, 0)."""
+    if "bend1" not in columns:
+        return np.zeros((0, 0))
+    return np.stack([columns[f"bend{j}"][places] for j in range(1, count + 1)], axis=1)
 
 
 def hull_shapes(airframe: Airframe, vehicle: Vehicle) -> tuple[HullShape, ...]:
@@ -307,23 +261,9 @@ def hull_shapes(airframe: Airframe, vehicle: Vehicle) -> tuple[HullShape, ...]:
     return tuple(HullShape((*one.centre,), one.radius, meshes) for one in airframe.hull)
 
 
-def arm_shapes(airframe: Airframe, vehicle: Vehicle) -> tuple[ArmShape, ...]:
-    """Shapes of the arms of an airframe."""
-    return tuple(
-        ArmShape(
-            direction=_direction(arm), length=arm.length, shortest=arm.shortest,
-            cage_radius=arm.cage_radius, caged=arm.caged > 0.0, compliant=arm.compliance > 0.0,
-            hulls=hull_meshes(vehicle, j),
-            joint=(_joint_shape(arm),) if isinstance(arm, JointedArm) else (),
-            latch=_latch_shapes(arm) if isinstance(arm, JointedArm) else (),
-        )
-        for j, arm in enumerate(airframe.arms, start=1)
-    )  # fmt: skip
-
-
 def rotor_shapes(airframe: Airframe, vehicle: Vehicle) -> tuple[RotorShape, ...]:
     """Shapes of the rotors of an airframe: those listed, else one at the end of each arm."""
-    level = [isinstance(arm, JointedArm) and not arm.joint.follows > 0.0 for arm in airframe.arms]
+    level = [isinstance(arm, ON_JOINTS) and not arm.joint.follows > 0.0 for arm in airframe.arms]
     if not airframe.rotors:
         return tuple(
             RotorShape(
@@ -341,36 +281,6 @@ def rotor_shapes(airframe: Airframe, vehicle: Vehicle) -> tuple[RotorShape, ...]
         still = j >= 0 and level[j]
         found.append(RotorShape(j, (*one.offset,), up, still, spin, radius, True))
     return tuple(found)
-
-
-def _direction(arm: Arm | JointedArm) -> tuple[float, ...]:
-    """Unit vector from the main body to the free end of an arm, body axes."""
-    if isinstance(arm, Arm):
-        return (arm.cosine, arm.sine, 0.0)
-    return tuple(arm.joint.end * (1.0 / norm(arm.joint.end)))
-
-
-def _joint_shape(arm: JointedArm) -> JointShape:
-    """Shape of a joint.
-
-    The axis of a hinge is drawn where it meets the plane of the arc, the seat of a slide's spring
-    so far behind the end that the spring fits in at full stroke.
-    """
-    path, stroke, reach = arm.joint, arm.length - arm.shortest, norm(arm.joint.end)
-    if path.curvature > STRAIGHT:
-        return JointShape(path, tuple(path.end + path.inward * (1.0 / path.curvature)))
-    behind = min((1.0 - SEAT) * reach, COLLAR * reach + ROOM * stroke)
-    return JointShape(path, tuple(path.end - behind * path.direction))
-
-
-def _latch_shapes(arm: JointedArm) -> tuple[LatchShape, ...]:
-    """Shape of a latch, if any: on a hinged arm, or on the outer seat of the spring of a slide."""
-    path, shape = arm.joint, _joint_shape(arm)
-    if shape.is_hinge:
-        face = path.end + LATCHED * (Vec(*shape.anchor) - path.end)
-    else:
-        face = path.end - (COLLAR * norm(path.end)) * path.direction
-    return tuple(LatchShape(tuple(face), latch.travel) for latch in arm.spring.latch)
 
 
 def neighbour_shapes(airframe: Airframe) -> tuple[NeighbourShape, ...]:
@@ -424,6 +334,11 @@ def _series(
         Series("Arm compression", f"arm {j}", "mm", 1e3 * (arm.length - c[f"l{j}"]))
         for j, arm in arms
         if arm.compliance > 0.0
+    ]
+    found += [
+        Series("Arm compression", f"arm {j}, second joint", "mm", -1e3 * c[f"bend{j}"])
+        for j, arm in arms
+        if arm.compliance > 0.0 and f"bend{j}" in c
     ]
     for j, _ in arms:
         whole = np.sqrt(c[f"fn{j}"] ** 2 + c[f"ff{j}"] ** 2)

@@ -41,6 +41,8 @@ GROUPS = {
     "Angular velocity, body axes": "w[xyz]",
     "Arm length": r"l\d+",
     "Arm speed": r"dl\d+",
+    "Arm bend, second joint": r"bend\d+",
+    "Arm bend speed": r"dbend\d+",
     "Acceleration": "a[xyz]",
     "Contact force, normal": "fn.*",
     "Contact force, friction": "ff.*",
@@ -57,7 +59,7 @@ GROUPS = {
     "Others": ".*",
 }
 #: Groups of lengths of arms.
-IN_MILLIMETRES = ("Arm length", "Hall sensors: arm length")
+IN_MILLIMETRES = ("Arm length", "Arm bend, second joint", "Hall sensors: arm length")
 
 
 class SignalTable(NamedTuple):

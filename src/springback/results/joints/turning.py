@@ -77,7 +77,8 @@ def turning_by_equations(
     arms = len(model.airframe.arms)
     free, locked = (_evaluated(model, states, acting, released) for released in (1.0, 0.0))
     recorded = np.stack([c[f"a{axis}"] for axis in "xyz"], axis=1)
-    moving = np.any([c[f"dl{j}"] != 0.0 for j in range(1, arms + 1)], axis=0)
+    names = [name for j in range(1, arms + 1) for name in (f"dl{j}", f"dbend{j}") if name in c]
+    moving = np.any([c[name] != 0.0 for name in names], axis=0)
     away = [np.linalg.norm(found[:, :3] - recorded, axis=1) for found in (free, locked)]
     stays = ~moving & (away[1] < away[0])
     return np.where(stays[:, None], locked[:, 3:], free[:, 3:])

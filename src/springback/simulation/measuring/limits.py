@@ -34,6 +34,8 @@ from springback.simulation.measuring.record import (
     record_after,
     record_after_cruise,
 )
+from springback.vehicle.arms.bent import BentArm, BentCoordinates
+from springback.vehicle.arms.joints import STRAIGHT
 from springback.vehicle.limits import (
     NO_LIMIT,
     UNLIMITED,
@@ -43,7 +45,14 @@ from springback.vehicle.limits import (
     PeakLoad,
     PeakLoads,
 )
-from springback.vehicle.state import Airframe, Arm, PartMemory, State, VehicleMemory
+from springback.vehicle.state import (
+    Airframe,
+    PartMemory,
+    State,
+    VehicleMemory,
+    coordinates_of_arms,
+    rates_of_arms,
+)
 
 #: A step to a break is to end a little beyond the limit: at this share of it.
 BEYOND = 1.0 + 1e-9
@@ -81,10 +90,28 @@ def _felt(component: ComponentLimit, centre: Vec, omega: Vec, angular: Vec) -> f
     return felt
 
 
-@kernel
-def arm_force(arm: Arm, length: float, rate: float) -> float:
-    """Force along an arm that slides, between its end and the main body [N]."""
+@generic
+def arm_force(arm: Any, length: Any, rate: Any) -> float:
+    """Force along the path of an arm that can move, between its end and the main body [N]."""
     return abs(spring_damper_force(arm, length, rate) + end_stop(arm, length, rate).force)
+
+
+@arm_force.register(BentArm)
+@kernel
+def _force_of_two(arm: BentArm, length: BentCoordinates, rate: BentCoordinates) -> float:
+    """The larger of both; of two hinges the larger torque, as a force along the first path.
+
+    Of a slide and a hinge, which no one limit is of, that of the first.
+    """
+    outer_joint, at, speed = arm.second, length, rate
+    first = spring_damper_force(arm, at.first, speed.first)
+    first += end_stop(arm, at.first, speed.first).force
+    second = spring_damper_force(outer_joint, at.second, speed.second)
+    second += end_stop(outer_joint, at.second, speed.second).force
+    curved, more = arm.joint.curvature, outer_joint.joint.curvature
+    alike = (curved > STRAIGHT) == (more > STRAIGHT)
+    lever = select(curved > STRAIGHT, curved / larger(more, STRAIGHT), 1.0) if alike else 0.0
+    return larger(abs(first), lever * abs(second))
 
 
 @generic
@@ -119,7 +146,8 @@ def _loads_seen(
     loads: PeakLoads, limits: Any, airframe: Airframe, state: State, view: View, angular: Vec,
     time: float,
 ) -> PeakLoads:  # fmt: skip
-    forces = tree_map(arm_force, (airframe.arms, state.arm_length, state.arm_rate), ())
+    lengths, arm = coordinates_of_arms(airframe.arms[0], state), airframe.arms[0]
+    forces = tree_map(arm_force, (airframe.arms, lengths, rates_of_arms(arm, state)), ())
     at = (view.specific_force, state.angular_velocity, angular)
     felt = tree_map(_felt, (limits.components,), at)
     normal, most = field_of(view.arms, "normal"), field_of(limits.components, "most")

@@ -50,7 +50,15 @@ from springback.simulation.thrusts import ARRIVED as ARRIVED
 from springback.simulation.thrusts import Ramp
 from springback.vehicle.placed.rotors import guards_of
 from springback.vehicle.rotor_stop import UNHIT, Hits, hits_after
-from springback.vehicle.state import Airframe, State, fastest_cage, fastest_point, resting_stiffness
+from springback.vehicle.state import (
+    Airframe,
+    State,
+    fastest_cage,
+    fastest_point,
+    largest_rate,
+    rates_of_arms,
+    resting_stiffness,
+)
 
 FLYING, FINISHED, NOT_FINITE = 0.0, 1.0, 2.0
 FREE_FLIGHT, IMPACT = 0.0, 1.0
@@ -180,13 +188,10 @@ def _touch(engaged: tuple[float, ...]) -> float:
 
 
 @kernel
-def _is_unsettled(arm: Any, view: ArmView, rate: float, timing: Timing) -> float:
-    """1 while a sliding arm is away from its balance, or moves.
-
-    Its balance is its free length only while the vehicle does not turn.
-    """
+def _is_unsettled(arm: Any, view: ArmView, rate: Any, timing: Timing) -> float:
+    """1 while an arm moves, or is away from its balance: its free length if nothing turns."""
     away = abs(view.unbalance) > resting_stiffness(arm) * timing.arm_tolerance
-    moving = abs(rate) > timing.rate_tolerance
+    moving = largest_rate(rate) > timing.rate_tolerance
     return arm.compliance if away | moving else 0.0
 
 
@@ -314,9 +319,8 @@ def situation_of(model: Model, state: State, view: View, m: Record) -> Situation
     touching = maximum(arm_touching + hull_touching)
 
     # Phases: with arms that are locked or slide, and with short steps or long ones.
-    unsettled = maximum(
-        tree_map(_is_unsettled, (model.airframe.arms, view.arms, state.arm_rate), (timing,))
-    )
+    arms = (model.airframe.arms, view.arms, rates_of_arms(model.airframe.arms[0], state))
+    unsettled = maximum(tree_map(_is_unsettled, arms, (timing,)))
     still_busy = select(unsettled > 0.0, now.phase, FREE_FLIGHT)
     phase = select(touching > 0.0, IMPACT, still_busy)
     locks = (phase < now.phase) & (timing.hybrid > 0.0)

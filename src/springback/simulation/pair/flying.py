@@ -14,6 +14,7 @@ from springback.contact.scene.faces import SolidScene
 from springback.contact.surfaces import Surface
 from springback.dynamics.moving_obstacles import flown_scene
 from springback.dynamics.touches import PartPush, Pushes
+from springback.kernels.concurrent.compilation import compile_with_help
 from springback.kernels.layout import Buffer, rows
 from springback.kernels.trees import rebuilt
 from springback.kernels.vectors import Vec
@@ -26,6 +27,7 @@ from springback.simulation.flight import (
     flight_buffers,
     flight_records,
     memory_at_start,
+    own_types,
     shape_of,
     trace_columns,
     with_spin,
@@ -42,7 +44,12 @@ from springback.simulation.measuring.record import Model
 from springback.simulation.onboard import Avionics
 from springback.simulation.pair.parts import carried_bodies, parts_of
 from springback.simulation.pair.solids import PartSolid, remember
-from springback.simulation.pair.stepping import NoAvionics, PairedBuffers, pair_guide
+from springback.simulation.pair.stepping import (
+    NoAvionics,
+    PairedBuffers,
+    begin_and_end_both,
+    pair_guide,
+)
 from springback.simulation.ticks import GUST_NOISE, FlightLog, layouts_of
 from springback.vehicle.state import State
 
@@ -181,7 +188,10 @@ def fly_both(
     fly, at = pair_guide(a.avionics, b.avionics), np.zeros(3, dtype=np.int64)
     while at[0] < ticks:
         end = min(ticks, int(at[0]) + TICKS)
-        fly(a.in_flight, b.in_flight, TickRange(at, end, ticks - 1, duration, False))
+        given = (a.in_flight, b.in_flight, TickRange(at, end, ticks - 1, duration, False))
+        if not (at[0] or own_types(a.avionics) | own_types(b.avionics)):
+            compile_with_help(fly, begin_and_end_both, given)
+        fly(*given)
         instants = sum(map(len, a.full)) + int(a.log.used[0])
         check_instants(instants if trace else 0, float(at[0]) * period, duration)
         if trace and max(a.log.used[0], b.log.used[0]) >= LOG_ROWS:
@@ -189,7 +199,8 @@ def fly_both(
             b.keep_log()
         if progress is not None:
             progress(int(at[0]) * period)
-    return a.result(), _with_given_work(b.result(), a.result())
+    flown = a.result()
+    return flown, _with_given_work(b.result(), flown)
 
 
 def _with_given_work(second: Any, first: Any) -> Any:
@@ -203,9 +214,7 @@ def _with_given_work(second: Any, first: Any) -> Any:
     if trace is not None and other.trace is not None:
         names = [name for name in other.trace.columns if name.endswith(".driven")]
         got_then = np.array([other.trace[name] for name in names])
-        values = trace.values.copy()
-        values[:, trace.columns.index("work.bodies.1.driven")] = -got_then.sum(axis=0)
-        trace = trace._replace(values=values)
+        trace.values[:, trace.columns.index("work.bodies.1.driven")] = -got_then.sum(axis=0)
     whole = flown._replace(motion=motion, trace=trace)
     return second._replace(flown=whole) if isinstance(second, GuidedFlown) else whole
 

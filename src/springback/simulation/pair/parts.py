@@ -15,6 +15,13 @@ from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import replace, tree_map
 from springback.kernels.vectors import Mat3, exponential_map, quaternion_product, rotation
 from springback.simulation.pair.solids import PartSolid, reach_of_part, scene_of_part
+from springback.vehicle.arms.bent import (
+    ON_JOINTS,
+    BentArm,
+    bent_mobility,
+    bent_pose,
+    coordinates_on,
+)
 from springback.vehicle.arms.joints import JointedArm, farthest_from_end, joint_pose
 from springback.vehicle.state import (
     Airframe,
@@ -24,7 +31,9 @@ from springback.vehicle.state import (
     Shell,
     State,
     arm_direction,
+    coordinates_of_arms,
     farthest_of_arm,
+    rates_of_arms,
 )
 
 
@@ -65,6 +74,22 @@ def _on_joint(arm: JointedArm, length: float, rate: float, body: BodyState, r: M
     )  # fmt: skip
 
 
+@arm_part.register(BentArm)
+@kernel
+def _on_two_joints(arm: BentArm, length: Any, rate: Any, body: BodyState, r: Mat3) -> BodyState:
+    there, at = bent_pose(arm, length, rate), coordinates_on(length)
+    moving = (body.angular_velocity ^ there.end) + there.velocity
+    inner, outer = arm.joint, arm.second.joint
+    axis, other = inner.direction ^ inner.inward, outer.direction ^ outer.inward
+    first = exponential_map((inner.curvature * (at.first - arm.length)) * axis)
+    second = exponential_map((outer.curvature * (at.second - arm.second.length)) * other)
+    turned = quaternion_product(first, second)
+    return BodyState(
+        body.position + r @ there.end, quaternion_product(body.attitude, turned),
+        body.velocity + r @ moving, (body.angular_velocity + there.spin) @ there.turn,
+    )  # fmt: skip
+
+
 @generic
 def hull_part(hull: Any, memory: PartMemory, body: BodyState, r: Mat3) -> BodyState:
     """How a hull of the main body moves: with that, but for a shell that turns by itself.
@@ -93,7 +118,8 @@ def parts_of(airframe: Airframe, state: State) -> tuple[BodyState, ...]:
     """Where the parts of a vehicle are, and how they move: its cages, then its hull."""
     r = rotation(state.attitude)
     body = BodyState(state.position, state.attitude, state.velocity, state.angular_velocity)
-    arms = (airframe.arms, state.arm_length, state.arm_rate)
+    arm = airframe.arms[0]
+    arms = (airframe.arms, coordinates_of_arms(arm, state), rates_of_arms(arm, state))
     hulls = (airframe.hull, hull_memory(state.memory, airframe.hull))
     return tree_map(arm_part, arms, (body, r)) + tree_map(hull_part, hulls, (body, r))
 
@@ -142,6 +168,22 @@ def _of_joint(
     return BodyAccelerations(now.velocity + r @ (turned + bent), angular @ there.turn)
 
 
+@arm_accelerations.register(BentArm)
+@kernel
+def _of_two_joints(
+    arm: BentArm, length: Any, rate: Any, changes: Any, state: State, now: State, r: Mat3
+) -> BodyAccelerations:
+    there, w = bent_pose(arm, length, rate), state.angular_velocity
+    speed, more = coordinates_on(rate), coordinates_on(changes)
+    moving = (w ^ there.end) + there.velocity
+    turned = (now.angular_velocity ^ there.end) + (w ^ moving) + (w ^ there.velocity)
+    bent = more.first * there.first + more.second * there.second + there.bias
+    turning = more.first * there.about_first + more.second * there.about_second
+    turning = turning + (speed.first * speed.second) * (there.about_first ^ there.about_second)
+    angular = now.angular_velocity + turning + (w ^ there.spin)
+    return BodyAccelerations(now.velocity + r @ (turned + bent), angular @ there.turn)
+
+
 @generic
 def hull_accelerations(
     hull: Any, memory: PartMemory, change: PartMemory, state: State, now: State, r: Mat3
@@ -183,7 +225,9 @@ def part_accelerations(
         state: Its state.
         now: The rate of that.
     """
-    arms = (airframe.arms, state.arm_length, state.arm_rate, now.arm_rate)
+    arm = airframe.arms[0]
+    along, speeds = coordinates_of_arms(arm, state), rates_of_arms(arm, state)
+    arms = (airframe.arms, along, speeds, rates_of_arms(arm, now))
     r, hull = rotation(state.attitude), airframe.hull
     cages = tree_map(arm_accelerations, arms, (state, now, r))
     hulls = (hull, hull_memory(state.memory, hull), hull_memory(now.memory, hull))
@@ -212,18 +256,28 @@ def carried_bodies(
     return bodies_of(CARRIED, scenes, reach, give, parts_of(airframe, state))
 
 
+def _rim_mobility(arm: BentArm) -> float:
+    """Bound of the mobility of the rim of an arm times its mass, where it is free, by traces."""
+    far = farthest_from_end(arm)
+    inverse = bent_mobility(bent_pose(arm, arm.length, 0.0))
+    curved = arm.joint.curvature, arm.second.joint.curvature
+    return float((inverse.xx + inverse.yy) * sum((1.0 + k * far) ** 2 for k in curved))
+
+
 def _mobility(airframe: Airframe, part: Any) -> float:
     """Upper bound of the speed of a part, an arm or a hull, per impulse on it [1/kg]."""
     slides = 0.0
-    if isinstance(part, Arm | JointedArm):
+    if isinstance(part, Arm | JointedArm | BentArm):
         slides = part.compliance * part.inverse_mass
+    if isinstance(part, BentArm):
+        slides *= _rim_mobility(part)
     if isinstance(part, JointedArm):  # the rim of what is on a hinge moves by e + κ a × d
         slides *= (1.0 + part.joint.curvature * farthest_from_end(part)) ** 2
     if isinstance(part, Shell):
         slides = part.radius * part.radius / part.inertia
     inertia = np.array(airframe.inertia)
     far = max(
-        farthest_of_arm(one) if isinstance(one, JointedArm) else one.length + one.cage_radius
+        farthest_of_arm(one) if isinstance(one, ON_JOINTS) else one.length + one.cage_radius
         for one in airframe.arms
     )
     return airframe.inverse_mass + slides + float(far) ** 2 / float(np.linalg.eigvalsh(inertia)[0])

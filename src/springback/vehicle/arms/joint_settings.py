@@ -15,8 +15,8 @@ import numpy as np
 from pydantic import BeforeValidator, Field
 
 from springback.errors import shown_value
-from springback.kernels.tracing import sqrt
-from springback.kernels.vectors import Vec, norm
+from springback.kernels.tracing import sqrt, traceable
+from springback.kernels.vectors import Vec
 from springback.quantities import Pair, PerArm, Triple, TriplePerArm, Unit
 from springback.settings import Settings, naming, problem
 from springback.vehicle.arms.joints import Joint, JointSpring, Latch, latch_force
@@ -26,6 +26,8 @@ from springback.vehicle.force_curves import force_table
 MOST_POINTS = 64
 #: Least length of a vector that tells a direction (chosen).
 SHORTEST = 1e-6
+#: x to the power n, of traced numbers, too.
+power = traceable(math.pow)
 #: Arc of a hinge's travel to either side, at most (chosen: beyond it arms meet the main body).
 MOST_ANGLE = math.pi
 
@@ -67,13 +69,16 @@ def _points(way: str, force: str) -> Any:
 Points = tuple[tuple[float, float], ...]
 
 
-class _JointSettings(Settings):
+class _WaySettings(Settings):
     """What slides and hinges have in common."""
 
-    rotors: Literal["arm", "body"] = "arm"
-    """Whether the axis of a rotor turns with its arm, or remains that of the body."""
     one_sided: bool = False
     """True: the spring acts only while the arm is pressed in, not beyond its free length."""
+
+    @property
+    def follows(self) -> float:
+        """1 if the axis of a rotor turns with the arm, else 0."""
+        return 1.0
 
     def spring(self, radius: float, j: int) -> JointSpring:
         """Numbers of the spring of arm ``j``, from 0, along the path of its end.
@@ -88,7 +93,7 @@ class _JointSettings(Settings):
         if table is not None:
             curve = (force_table(tuple((x * radius, y / radius) for x, y in table)),)
         return JointSpring(
-            quadratic=self._at("quadratic", j) / radius**3,
+            quadratic=self._at("quadratic", j) / power(radius, 3),
             preload=self._at("preload", j) / radius,
             play=self._at("play", j) * radius,
             both_sides=0.0 if self.one_sided else 1.0,
@@ -113,19 +118,23 @@ class _JointSettings(Settings):
     @property
     def differs(self) -> bool:
         """True if a number or a vector is given for each arm."""
-        return any(self._is_for_each(name) for name in type(self).model_fields)
+        given: Any = getattr(self, "second", None)
+        own = any(self._is_for_each(name) for name in type(self).model_fields)
+        return own or (given is not None and given.differs)
 
     def _at(self, name: str, j: int) -> float:
         value = getattr(self, name)
-        return float(value[j]) if isinstance(value, tuple) else value
+        one: float = value[j] if isinstance(value, tuple) else value
+        return one
 
     def stiffness_of(self, radius: float, j: int) -> float:
         """Stiffness of arm ``j`` along the path of its end [N/m]; of a table, at its beginning."""
         given: Any = self
         if given.table is not None:
             x, y = next((point for point in given.table if point[1] > 0.0), given.table[1])
-            return float(y / x) / radius**2
-        return self._at("stiffness", j) / radius**2
+            slope: float = y / x / power(radius, 2)
+            return slope
+        return self._at("stiffness", j) / power(radius, 2)
 
     def secant_of(self, radius: float, j: int) -> float:
         """Stiffness of arm ``j`` from its free position to the end of its travel [N/m]."""
@@ -136,28 +145,28 @@ class _JointSettings(Settings):
             force = float(np.interp(most, xs, ys))
         else:
             force = (self._at("stiffness", j) + self._at("quadratic", j) * most) * most
-        own = (force + self._at("preload", j)) / (most * radius**2)
+        own: float = (force + self._at("preload", j)) / (most * power(radius, 2))
         for latch in self._latch(radius):
             own += latch_force(latch, most * radius).force / (most * radius)
-        return float(own)
+        return own
 
     def damping_of(self, radius: float, j: int) -> float:
         """Damping of arm ``j`` along the path of its end [N s/m]."""
-        return self._at("damping", j) / radius**2
+        return self._at("damping", j) / power(radius, 2)
 
     def steepest(self, radius: float, j: int) -> float:
         """The largest stiffness of arm ``j`` in its travel, along the path of its end [N/m]."""
         given: Any = self
         most = max(abs(x) for x in given.travel) * radius
         linear = 0.0 if given.table is not None else self.stiffness_of(radius, j)
-        own = linear + 2.0 * self._at("quadratic", j) / radius**3 * most
+        own: float = linear + 2.0 * self._at("quadratic", j) / power(radius, 3) * most
         slopes = [
-            (more - y) / (further - x) / radius**2
+            (more - y) / (further - x) / power(radius, 2)
             for (x, y), (further, more) in pairwise(given.table or ())
         ]
         held = [16.0 / 9.0 * latch.force / latch.travel for latch in self._latch(radius)]
         # A cubic between points may be steeper than they are.
-        return float(own + 1.5 * max(slopes, default=0.0) + sum(held))
+        return own + 1.5 * max(slopes, default=0.0) + sum(held)
 
     def check(self, count: int, compliant: tuple[bool, ...], end_stops: bool) -> None:
         """Reject numbers of another number of arms, and those that do not go together."""
@@ -259,7 +268,7 @@ class HingeLatch(Settings):
         return self.torque
 
 
-class SlideSettings(_JointSettings):
+class SlideJoint(_WaySettings):
     """A slide in any direction."""
 
     way: ClassVar[str] = "m"
@@ -290,13 +299,14 @@ class SlideSettings(_JointSettings):
             j: The arm, from 0.
         """
         towards = _in_body(_of_arm(self.direction, j), axes)
-        if norm(towards) < SHORTEST:
+        size = length_of(towards)
+        if size < SHORTEST:
             raise problem("must be of some length", "direction")
-        along = towards * (-1.0 / norm(towards))
-        return Joint(end, along, _normal_to(along), 0.0, 1.0 if self.rotors == "arm" else 0.0)
+        along = towards * (-1.0 / size)
+        return Joint(end, along, _normal_to(along), 0.0, self.follows)
 
 
-class HingeSettings(_JointSettings):
+class HingeJoint(_WaySettings):
     """A hinge about any axis."""
 
     way: ClassVar[str] = "rad"
@@ -321,19 +331,53 @@ class HingeSettings(_JointSettings):
     """What holds the arm stiffly at its free position until a torque opens it."""
 
     def path(self, end: Vec, axes: tuple[Vec, Vec, Vec], j: int) -> Joint:
-        """Path of the end of arm ``j``; arguments as for `SlideSettings.path`."""
+        """Path of the end of arm ``j``; arguments as for `SlideJoint.path`."""
         about = _in_body(_of_arm(self.axis, j), axes)
-        if norm(about) < SHORTEST:
+        size = length_of(about)
+        if size < SHORTEST:
             raise problem("must be of some length", "axis")
-        about = about * (1.0 / norm(about))
+        about = about * (1.0 / size)
         lever = end - _in_body(_of_arm(self.position, j), axes)
         radial = lever - about * (lever @ about)
-        radius = norm(radial)
+        radius = length_of(radial)
         if radius < SHORTEST:
             raise problem(f"must not lie on the end of arm {j + 1}, nor its axis", "position")
         outward = radial * (1.0 / radius)
-        follows = 1.0 if self.rotors == "arm" else 0.0
-        return Joint(end, outward ^ about, -outward, 1.0 / radius, follows)
+        return Joint(end, outward ^ about, -outward, 1.0 / radius, self.follows)
+
+
+class SecondSlide(SlideJoint):
+    """A slide that the first joint carries: of an arm that slides along a hinged one, say."""
+
+
+class SecondHinge(HingeJoint):
+    """A hinge that the first joint carries: of an arm that bends two ways."""
+
+
+SecondSettings = Annotated[SecondSlide | SecondHinge, Field(discriminator="type")]
+
+
+class _FirstSettings(Settings):
+    """What a joint has that is on the main body."""
+
+    rotors: Literal["arm", "body"] = "arm"
+    """Whether the axis of a rotor turns with its arm, or remains that of the body."""
+    second: SecondSettings | None = None
+    """Another joint that this one carries, with its own spring and travel; its vectors are those
+    of the free arm.  None: the arm moves one way."""
+
+    @property
+    def follows(self) -> float:
+        """1 if the axis of a rotor turns with the arm, else 0."""
+        return 1.0 if self.rotors == "arm" else 0.0
+
+
+class SlideSettings(_FirstSettings, SlideJoint):
+    """A slide in any direction."""
+
+
+class HingeSettings(_FirstSettings, HingeJoint):
+    """A hinge about any axis."""
 
 
 JointSettings = Annotated[SlideSettings | HingeSettings, Field(discriminator="type")]
@@ -343,6 +387,12 @@ def _of_arm(given: Any, j: int) -> Triple:
     """Vector of arm ``j``, from 0: its own, or that of all."""
     vector: Triple = given[j] if isinstance(given[0], tuple) else given
     return vector
+
+
+def length_of(vector: Vec) -> float:
+    """Length of a vector, whose numbers may be traced."""
+    length: float = sqrt(vector @ vector)
+    return length
 
 
 def _in_body(vector: tuple[float, float, float], axes: tuple[Vec, Vec, Vec]) -> Vec:

@@ -13,7 +13,7 @@ and de/ds = κ n.  What is at the end of a hinged arm turns with it, by κ s abo
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from springback.kernels.angles import sine_cosine
 from springback.kernels.compiler import kernel
@@ -168,9 +168,10 @@ def _farther_of_hull(so_far: float, hull: CompoundHull) -> float:
 
 
 @kernel
-def farthest_from_end(arm: JointedArm) -> float:
+def farthest_from_end(arm: Any) -> float:
     """Distance from the end of an arm to the farthest point that touches anything [m]."""
-    return fold(_farther_of_hull, arm.cage_radius, arm.hull, ())
+    farthest: float = fold(_farther_of_hull, arm.cage_radius, arm.hull, ())
+    return farthest
 
 
 @arm_pose.register(JointedArm)
@@ -232,6 +233,18 @@ def _speed_on_joint(arm: JointedArm, rate: float) -> float:
     return abs(rate) * (1.0 + arm.joint.curvature * farthest_from_end(arm))
 
 
+def preload_strain(spring: JointSpring, stiffness: float, stop_stiffness: float) -> float:
+    """How far a preload presses an arm into its stop at rest [m].
+
+    Args:
+        spring: Of the arm, with a preload.
+        stiffness: Of it, besides a table [N/m].
+        stop_stiffness: Of the stop [N/m].
+    """
+    pulls = stiffness if spring.both_sides > 0.0 and spring.play == 0.0 else 0.0
+    return spring.preload / (stop_stiffness + pulls)
+
+
 class SpringForce(NamedTuple):
     """Force of a spring and the energy in it."""
 
@@ -240,7 +253,7 @@ class SpringForce(NamedTuple):
 
 
 @kernel
-def joint_spring(arm: JointedArm, length: float) -> SpringForce:
+def joint_spring(arm: Any, length: float) -> SpringForce:
     """Spring of an arm on a joint: preload, play, linear, quadratic, or a table, and a latch."""
     spring, x = arm.spring, arm.length - length
     size = positive_part(abs(x) - spring.play)

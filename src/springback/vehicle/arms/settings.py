@@ -8,18 +8,33 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, model_validator
 
 from springback.errors import shown_value
-from springback.kernels.tracing import cos, sqrt
+from springback.kernels.tracing import cos, sin, sqrt, traceable
 from springback.kernels.vectors import Vec, norm
 from springback.quantities import PerArm, Unit, si_number
 from springback.settings import Settings, naming, problem
-from springback.vehicle.arms.joint_settings import HingeSettings, JointSettings, SlideSettings
-from springback.vehicle.arms.joints import STRAIGHT, Joint, JointSpring, path_point
+from springback.vehicle.arms.bent import SecondJoint
+from springback.vehicle.arms.joint_settings import (
+    HingeSettings,
+    JointSettings,
+    SecondHinge,
+    SecondSlide,
+    SlideSettings,
+    length_of,
+)
+from springback.vehicle.arms.joints import (
+    STRAIGHT,
+    Joint,
+    JointSpring,
+    path_point,
+    preload_strain,
+)
 from springback.vehicle.arms.neighbours import (
     NeighbourSettings,
     NeighbourSpring,
     NeighbourSprings,
     next_of,
 )
+from springback.vehicle.state import Bend
 
 #: Upper limit, to catch typing errors (chosen): a flight is compiled for each number of arms.
 MOST_ARMS = 32
@@ -27,6 +42,11 @@ MOST_ARMS = 32
 ROUNDING = 1e-9
 #: Cages whose centres are at heights that differ by less can meet side by side [m] (chosen).
 LEVEL = 1e-3
+#: The least area between the directions in which two joints move an end of an arm (chosen: below
+#: 6 deg, little mass resists moving both ways at once, and steps get short).
+LEAST_INDEPENDENCE = 0.1
+#: Places in the travel of a second joint at which that is looked at (chosen).
+WAYS = 9
 #: Fields that a joint has in place of those of an arm.
 OF_SLIDES = ("stiffness", "damping", "stroke")
 
@@ -166,6 +186,105 @@ class Arms(Settings):
             joint.check(count, tuple(self.at("compliant", j) for j in range(count)), self.end_stops)
             for j in range(count):
                 self.joint_of(j)
+            if joint.second is not None:
+                with naming("second"):
+                    self._check_second(joint.second)
+
+    def _check_second(self, second: SecondSlide | SecondHinge) -> None:
+        """Reject a second joint that does not move the ends of arms another way."""
+        count = len(self.directions)
+        second.check(count, tuple(self.at("compliant", j) for j in range(count)), self.end_stops)
+        for j in range(count):
+            share = smallest([independence(way) for way in self._both_ways(j)])
+            if share < LEAST_INDEPENDENCE:
+                raise problem(
+                    f"moves the end of arm {j + 1} along itself or hardly another way than the "
+                    "first does, somewhere in its travel: the sine of the angle between both, "
+                    f"times their lengths, must be at least {LEAST_INDEPENDENCE:g} (it is "
+                    f"{share:.3g})",
+                    "axis" if isinstance(second, SecondHinge) else "direction",
+                )
+
+    def _both_ways(self, j: int) -> list[tuple[Vec, Vec]]:
+        """In which directions both joints move the end of arm ``j``, through the second's travel.
+
+        By the first joint, and by both ends of the second's travel, other such pairs are turned
+        only.
+        """
+        first, second = self.joint_of(j), self._second_of(j)
+        if second is None:
+            return []
+        path, (low, high) = second
+        about = first.curvature * (first.direction ^ first.inward)
+        found, k = [], path.curvature
+        for place in range(WAYS):
+            way = -(low + (high - low) * place / (WAYS - 1))
+            ahead, aside, turned, across = way, 0.0, 1.0, 0.0
+            if k > STRAIGHT:
+                turned, across = cos(k * way), sin(k * way)
+                ahead, aside = across / k, (1.0 - turned) / k
+            along = first.direction + (about ^ (path.direction * ahead + path.inward * aside))
+            found.append((along, path.direction * turned + path.inward * across))
+        return found
+
+    def _second_of(self, j: int) -> tuple[Joint, tuple[float, float]] | None:
+        """Path of the end of arm ``j`` on its second joint, and its travel [m], if it has one."""
+        if self.joint is None or self.joint.second is None:
+            return None
+        path = self.joint.second.path(self.end(j), self._axes(j), j)
+        radius, (low, high) = radius_of(path), self.joint.second.travel
+        return path, (low * radius, high * radius)
+
+    def second_travel(self, j: int) -> float:
+        """The most by which the second joint of arm ``j`` moves its end, to either side [m]."""
+        second = self._second_of(j)
+        return 0.0 if second is None else max(abs(way) for way in second[1])
+
+    def second_joint(self, j: int) -> SecondJoint | None:
+        """Numbers of the second joint of arm ``j``, if it has one."""
+        known = self._second_of(j)
+        if self.joint is None or self.joint.second is None or known is None:
+            return None
+        second, (path, (low, high)), moves = self.joint.second, known, self.at("compliant", j)
+        radius = radius_of(path)
+        return SecondJoint(
+            joint=path, spring=second.spring(radius, j),
+            stiffness=0.0 if second.table else second.stiffness_of(radius, j),
+            resting_stiffness=second.secant_of(radius, j), damping=second.damping_of(radius, j),
+            length=0.0, shortest=-high, longest=-low,
+            stop_stiffness=self.at("stop_stiffness", j) if self.end_stops else 0.0,
+            stop_dissipation=self.at("stop_dissipation", j), compliance=1.0 if moves else 0.0,
+        )  # fmt: skip
+
+    def bends(self) -> tuple[Bend, ...]:
+        """Second coordinates at rest: free, but for a preload; empty for arms on one joint."""
+        joints = [self.second_joint(j) for j in range(len(self.directions))]
+        found = []
+        for one in (joint for joint in joints if joint is not None):
+            strained = one.compliance > 0.0 and one.spring.preload > 0.0
+            given = (one.spring, one.stiffness, one.stop_stiffness)
+            found.append(Bend(preload_strain(*given) if strained else 0.0, 0.0))
+        return tuple(found)
+
+    def stiffest(self, j: int) -> list[tuple[float, float, float]]:
+        """Of each joint of arm ``j`` bounds for steps: stiffness, damping, mass [N/m, N s/m, kg].
+
+        With two joints either moves a mass that is at least that over the trace of G⁻¹.
+        """
+        mass = self.at("mass", j)
+        found = [(self.steepest(j), self.at("damping", j), mass)]
+        second = self._second_of(j)
+        if second is None or self.joint is None or self.joint.second is None:
+            return found
+        shares = []
+        for first, along in self._both_ways(j):
+            square = first @ first
+            determinant = square * (along @ along) - (first @ along) * (first @ along)
+            shares.append(determinant / (square + along @ along))
+        mass = mass * smallest(shares)
+        radius, other = radius_of(second[0]), self.joint.second
+        more = other.steepest(radius, j), other.damping_of(radius, j), mass
+        return [(*found[0][:2], mass), more]
 
     def end(self, j: int) -> Vec:
         """Free end of arm ``j``, counted from 0, from the main body's centre, body axes [m]."""
@@ -199,8 +318,7 @@ class Arms(Settings):
 
     def radius(self, j: int) -> float:
         """Radius of the path of the end of arm ``j`` [m]; 1 for a slide."""
-        curvature = self.joint_of(j).curvature
-        return 1.0 / curvature if curvature > STRAIGHT else 1.0
+        return radius_of(self.joint_of(j))
 
     def travel(self, j: int) -> tuple[float, float]:
         """Travel of the end of arm ``j``, from its longest to pressed in, along its path [m]."""
@@ -329,6 +447,22 @@ class Arms(Settings):
             }[name]()
         value = getattr(self, name)
         return value[j] if isinstance(value, tuple) else value
+
+
+def radius_of(path: Joint) -> float:
+    """Radius of the path of the end of an arm [m]; 1 for a slide."""
+    return 1.0 / path.curvature if path.curvature > STRAIGHT else 1.0
+
+
+@traceable
+def smallest(values: Any) -> float:
+    """The least of several numbers, also of traced ones, whose order may differ."""
+    return float(min(values))
+
+
+def independence(ways: tuple[Vec, Vec]) -> float:
+    """Area between two directions of motion, which are of about unit length."""
+    return length_of(ways[0] ^ ways[1])
 
 
 def _distance(here: float, there: float, cosine: float) -> float:

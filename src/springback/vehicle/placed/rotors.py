@@ -16,8 +16,15 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.trees import field_of, fold, select, tree_map, tree_sum
+from springback.kernels.trees import field_of, fold, one_tuple, replace, select, tree_map, tree_sum
 from springback.kernels.vectors import Mat3, Vec
+from springback.vehicle.arms.bent import (
+    BentArm,
+    along_both,
+    bent_mobility,
+    bent_pose,
+    coordinates_on,
+)
 from springback.vehicle.arms.joints import JointedArm, joint_pose
 from springback.vehicle.state import Airframe, Arm, Propeller, arm_direction, farthest_of_rotors
 
@@ -50,6 +57,17 @@ class Mount(NamedTuple):
     direction: Vec  # e; zero for the main body
     bend: Vec  # κ u [1/m]; zero but for a hinge
     rate: float  # l̇ [m/s]
+    second: tuple[SecondMount, ...] = ()  # of an arm on two joints; of all or of none
+
+
+class SecondMount(NamedTuple):
+    """Second joint of the arm that a rotor is on; body axes."""
+
+    direction: Vec  # e₂
+    bend: Vec  # κ₂ u₂ [1/m]
+    rate: float  # ṡ₂ [m/s]
+    pull: Vec  # force on the end whose components are 1 N along the first path, 0 along this
+    own_pull: Vec  # the reverse
 
 
 class NumberedMount(NamedTuple):
@@ -80,6 +98,7 @@ class RotorLoad(NamedTuple):
 
     wrench: RotorWrench
     along: float  # force along the path of its arm [N]
+    second: tuple[float, ...] = ()  # the same along the path of the second joint
 
 
 class ActingRotors(NamedTuple):
@@ -99,7 +118,7 @@ def body_mount() -> Mount:
     """The main body, to which a rotor may be fixed."""
     none = Vec(0.0, 0.0, 0.0)
     turn = Mat3(Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0), Vec(0.0, 0.0, 1.0))
-    return Mount(none, turn, turn, none, none, 0.0)
+    return Mount(none, turn, turn, none, none, 0.0, ())
 
 
 @generic
@@ -112,7 +131,7 @@ def mount_of(arm: Any, length: float, rate: float) -> Mount:
 @kernel
 def _on_slide(arm: Arm, length: float, rate: float) -> Mount:
     e, body = arm_direction(arm), body_mount()
-    return Mount(length * e, body.turn, body.turn, e, body.bend, rate)
+    return Mount(length * e, body.turn, body.turn, e, body.bend, rate, ())
 
 
 @mount_of.register(JointedArm)
@@ -121,7 +140,39 @@ def _on_joint(arm: JointedArm, length: float, rate: float) -> Mount:
     there = joint_pose(arm, length, rate)
     aim = select(arm.joint.follows > 0.0, there.turn, body_mount().turn)
     bend = arm.joint.curvature * there.axis
-    return Mount(there.end, there.turn, aim, there.direction, bend, rate)
+    return Mount(there.end, there.turn, aim, there.direction, bend, rate, ())
+
+
+@mount_of.register(BentArm)
+@kernel
+def _on_two_joints(arm: BentArm, length: Any, rate: Any) -> Mount:
+    there, speed = bent_pose(arm, length, rate), coordinates_on(rate)
+    aim = select(arm.joint.follows > 0.0, there.turn, body_mount().turn)
+    to_first = along_both(bent_mobility(there), 1.0, 0.0)
+    to_second = along_both(bent_mobility(there), 0.0, 1.0)
+    way = SecondMount(
+        there.second, there.about_second, speed.second,
+        to_first.first * there.first + to_first.second * there.second,
+        to_second.first * there.first + to_second.second * there.second,
+    )  # fmt: skip
+    return Mount(there.end, there.turn, aim, there.first, there.about_first, speed.first, (way,))
+
+
+@kernel
+def _no_way(way: SecondMount) -> SecondMount:
+    none = Vec(0.0, 0.0, 0.0)
+    return SecondMount(none, none, 0.0, none, none)
+
+
+@kernel
+def _no_ways(like: NumberedMount) -> tuple[SecondMount, ...]:
+    return tree_map(_no_way, (like.mount.second,), ())
+
+
+@kernel
+def _main_body(mounts: tuple[NumberedMount, ...]) -> Mount:
+    """The main body as a mount of the structure that those of the arms have."""
+    return replace(body_mount(), second=one_tuple(tree_map(_no_ways, (mounts[:1],), ())))
 
 
 @kernel
@@ -148,12 +199,12 @@ def _if_wanted(so_far: Mount, here: NumberedMount, wanted: float) -> Mount:
 @kernel
 def rotor_pose(rotor: PlacedRotor, mounts: tuple[NumberedMount, ...]) -> RotorPose:
     """Where a rotor is."""
-    mount, q = fold(_if_wanted, body_mount(), mounts, (rotor.arm,)), rotor.axes
+    mount, q = fold(_if_wanted, _main_body(mounts), mounts, (rotor.arm,)), rotor.axes
     return RotorPose(mount, mount.turn @ rotor.offset, mount.aim @ Vec(q.x.z, q.y.z, q.z.z))
 
 
 @kernel
-def _no_rate(length: float) -> float:
+def _no_rate(length: Any) -> float:
     return 0.0
 
 
@@ -197,7 +248,19 @@ def _load_of(pose: RotorPose, push: Vec, torque: float) -> RotorLoad:
     """Load of a force at a rotor [N] and a moment about its axis [N m]."""
     mount, turning = pose.mount, (pose.lever ^ push) + torque * pose.up
     along = mount.direction @ push + mount.bend @ turning
-    return RotorLoad(RotorWrench(push, (mount.end ^ push) + turning, mount.rate * along), along)
+    power = fold(_with_second_power, mount.rate * along, mount.second, (push, turning))
+    wrench = RotorWrench(push, (mount.end ^ push) + turning, power)
+    return RotorLoad(wrench, along, tree_map(_along_second, (mount.second,), (push, turning)))
+
+
+@kernel
+def _along_second(way: SecondMount, push: Vec, turning: Vec) -> float:
+    return way.direction @ push + way.bend @ turning
+
+
+@kernel
+def _with_second_power(so_far: float, way: SecondMount, push: Vec, turning: Vec) -> float:
+    return so_far + way.rate * _along_second(way, push, turning)
 
 
 @kernel
@@ -228,7 +291,23 @@ def _pull(
     here: NumberedMount, loads: tuple[RotorLoad, ...], each: tuple[PlacedRotor, ...]
 ) -> tuple[Vec]:
     along = tree_sum(tree_map(_along_if_on, (loads, each), (here.number,)))
-    return (along * here.mount.direction,)
+    mount = here.mount
+    return (fold(_pull_on_two, along * mount.direction, mount.second, (along, here, loads, each)),)
+
+
+@kernel
+def _pull_on_two(
+    alone: Vec, way: SecondMount, along: float, here: NumberedMount,
+    loads: tuple[RotorLoad, ...], each: tuple[PlacedRotor, ...],
+) -> Vec:  # fmt: skip
+    """A force whose components along both paths are those of all rotors on the arm."""
+    second = tree_sum(tree_map(_second_if_on, (loads, each), (here.number,)))
+    return along * way.pull + second * way.own_pull
+
+
+@kernel
+def _second_if_on(load: RotorLoad, rotor: PlacedRotor, number: float) -> float:
+    return select(rotor.arm == number, tree_sum(load.second), 0.0)
 
 
 @kernel

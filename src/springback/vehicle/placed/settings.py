@@ -145,6 +145,7 @@ def placed_rotors(
         if number:
             end, travel = arms.end(number - 1), arms.travel(number - 1)
             away = away + hypot(*end) + max(abs(travel[0]), abs(travel[1]))
+            away = away + arms.second_travel(number - 1)
         farthest = max(farthest, away)
     numbers = tuple(float(j + 1) for j in range(len(arms.directions)))
     return PlacedRotors(tuple(found), numbers, farthest)

@@ -78,7 +78,7 @@ def _robot(
     for j, (arm, tip) in enumerate(zip(arms, places, strict=True), start=1):
         cage = view(ring(tip.position, arm.cage_radius, tip.rotation))
         chart.curve(f"cage {j}", *cage.T, key=False, color=INK, lw=1.2, zorder=3)
-        line = view(arm_line(arm, now, float(now.lengths[j - 1])))
+        line = view(arm_line(arm, now, float(now.lengths[j - 1]), now.bend(j - 1)))
         width = 1.0 if arm.compliant and not is_hinged(arm) else 2.6
         chart.curve(f"arm {j}", *line.T, key=False, color=colour, lw=width, zorder=4)
         rotor: dict[str, Any] = {"color": GREEN, "marker": "o", "ms": 3.5, "zorder": 5}

@@ -1,0 +1,1 @@
+"""Kernels compiled by two processes at once."""

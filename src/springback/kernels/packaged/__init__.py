@@ -1,0 +1,1 @@
+"""Kernels compiled when a wheel is built, which it carries."""
