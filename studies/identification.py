@@ -20,10 +20,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.identification.design.coverage import SyntheticFit, coverage_of, fitted_set
-from springback.identification.fits import fields_of_plan
+from springback.identification.design.coverage import (
+    SyntheticFit,
+    coverage_of,
+    displaced_fields,
+    fitted_set,
+    synthetic_fits,
+)
+from springback.identification.estimates import field_estimates
+from springback.identification.fits import fields_of_plan, result_of
 from springback.identification.settings import FitPlan
-from springback.identification.solving.pooling import pool
+from springback.identification.solving.fitting import ImpactFit
 from springback.logs.recording import ARM_LENGTH, POSITION, SPECIFIC_FORCE, Recording
 from springback.scenario.scenario import scenario_from
 
@@ -42,6 +49,7 @@ class Row(NamedTuple):
     corrupt: str = ""
     plan: dict[str, Any] | None = None
     noise: float = 0.5 / 500.0**0.5  # of the accelerometer: 0.5 m/s² a sample at 1 kHz
+    drag: float = 0.0  # of the true rail at that speed, linear in it [m/s²]
 
 
 ROWS = {
@@ -62,6 +70,7 @@ ROWS = {
     "average": Row("arq", 1.85, "5 ms average, not told", "average"),
     "scale": Row("arq", 1.85, "accelerometer 3 % too large", "scale"),
     "clocks": Row("arq", 1.85, "clocks 3 ms apart, taken for one", "clocks"),
+    "drag": Row("arq", 1.85, "drag of the rail, 0.5 m/s², not told", drag=0.5),
 }
 
 
@@ -145,33 +154,41 @@ def one_set(given: tuple[str, int]) -> SyntheticFit:
     row = ROWS[name]
     base, plan = tables(row), plan_of(row)
     fields = fields_of_plan(plan, scenario_from(copy.deepcopy(base)))
-    return fitted_set(plan, base, fields, seed, corrupt=lambda r: corrupted(r, row.corrupt, seed))
+    truth = copy.deepcopy(base)
+    if row.drag:
+        mass = scenario_from(copy.deepcopy(base)).vehicle.mass
+        truth["air"] = {"rotor_drag": [row.drag * mass / row.speed, 0.0, 0.0]}
+    return fitted_set(plan, base, fields, seed, truth=truth,
+                      corrupt=lambda r: corrupted(r, row.corrupt, seed))  # fmt: skip
 
 
 def scattered_set(seed: int) -> dict[str, float]:
-    """Five impacts of Quad whose stiffness differs by 10 %: pooled with scatter and without."""
+    """Five impacts of Quad whose stiffness differs by 10 %, fitted as one plan would be."""
     row, generator = ROWS["quad"], np.random.default_rng(seed)
     base, plan = tables(row), plan_of(row)
     fields = fields_of_plan(plan, scenario_from(copy.deepcopy(base)))
-    true = np.log(2e5) + SCATTER * generator.standard_normal(IMPACTS)
-    values, deviations = [], []
-    for k, logarithm in enumerate(true):
-        truth = copy.deepcopy(base)
+    displaced, fits = displaced_fields(fields, generator), list[ImpactFit]()
+    for k, logarithm in enumerate(np.log(2e5) + SCATTER * generator.standard_normal(IMPACTS)):
+        truth = copy.deepcopy(base) | {"seed": IMPACTS * seed + k}
         truth["world"]["obstacles"][0]["surface"]["stiffness"] = float(np.exp(logarithm))
-        one = fitted_set(plan, base, fields, IMPACTS * seed + k, truth=truth,
-                         corrupt=lambda r: corrupted(r, "", 0))  # fmt: skip
-        if one.problem:
-            continue
-        values.append(one.errors[STIFFNESS] * fields[0].deviation)
-        deviations.append(one.deviations[STIFFNESS] * fields[0].deviation)
-    found = pool(np.array(values), np.array(deviations))
-    half = 1.96 * found.common_deviation
+        truth["start"]["offset"] = [-0.01 * float(generator.random()), 0.0, 0.0]
+        fits += synthetic_fits(plan, base, displaced, truth, f"impact {k}",
+                               corrupt=lambda r: corrupted(r, "", 0))  # fmt: skip
+    result = result_of(plan, fits)
+    [found] = [one for one in result.estimates if one.unknown.name == STIFFNESS]
+    [without] = [
+        one for one in field_estimates(fits, scatter=False) if one.unknown.name == STIFFNESS
+    ]
+    assert found.pooled is not None
     return {
-        "covered": float(found.low <= 0.0 <= found.high),
-        "covered_without": float(abs(found.common) <= half),
-        "warned": float(found.heterogeneity < 0.05),
-        "half_width": 0.5 * (found.high - found.low), "half_width_without": half,
-        "scatter": found.scatter,
+        "impacts": float(len(fits)),
+        "covered": float(found.low <= 2e5 <= found.high),
+        "covered_without": float(without.low <= 2e5 <= without.high),
+        "warned": float(any(f"{STIFFNESS} differs" in text for text in result.sentences)),
+        "half_width": 0.5 * float(np.log(found.high / found.low)),
+        "half_width_without": 0.5 * float(np.log(without.high / without.low)),
+        "scatter": found.pooled.scatter * found.unknown.deviation,
+        "misfit": float(any(one.is_misfit for one in result.misfits)),
     }  # fmt: skip
 
 

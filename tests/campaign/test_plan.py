@@ -25,6 +25,10 @@ from springback.scenario.scenario import scenario_from
 from springback.simulation.measuring.measures import Outcome
 from springback.studies.trials import HOME, Scatter, TrialNoise, trial_tables
 
+ELASTIC = THROW | {
+    "world": {"obstacles": [{"type": "wall", "distance": 2.75, "surface": {"law": "hertz"}}]}
+}
+REBOUND = {"field": "world.obstacles.0.surface.restitution", "from": 0.3, "to": 0.6}
 METHODS = ("random", "latin-hypercube", "sobol")
 
 
@@ -229,7 +233,10 @@ def test_a_grid_counts_its_points_and_draws_what_has_no_levels() -> None:
 
 
 def test_a_speed_needs_a_run_up_and_says_so() -> None:
-    with pytest.raises(InputError, match="'speed' needs a reference of type run-up"):
+    with pytest.raises(
+        InputError,
+        match=r"'speed' needs a reference of type run-up; for a throw vary start\.velocity\.0",
+    ):
         lay_out(plan(vary=[{"field": "speed", "from": 1.0, "to": 2.0}]))
 
 
@@ -327,6 +334,7 @@ def test_a_plan_file_names_its_scenario_and_takes_overrides(tmp_path: Path) -> N
         ({"scatter": "trial"}, r"scatter.preset: must be trials"),
         ({"scenario": THROW | {"world": {}}, "scatter": "trials", "vary": []}, "needs a wall"),
         ({"scenario": THROW | {"thrust": "hoover"}}, "scenario: thrust: .*hoover"),
+        ({"scenario": ELASTIC, "vary": [REBOUND]}, r"vary\[0\].field: law hertz does not use it"),
         ({"samples": 10**9}, "samples: "),
         ({"repeats": 10**8}, "too many"),
     ],
@@ -337,6 +345,12 @@ def test_a_plan_that_cannot_be_flown_is_refused_in_one_line(
     with pytest.raises(InputError, match=told) as caught:
         lay_out(plan(**given))
     assert len(caught.value.problems) == 1
+
+
+def test_a_restitution_is_drawn_where_a_law_that_is_drawn_as_well_has_it() -> None:
+    """Hertz alone does not read it; the draw of surfaces brings one that does."""
+    surfaces = {"field": "world.obstacles.0.surface", "values": [{"law": "hertz"}, "wall"]}
+    assert lay_out(plan(scenario=ELASTIC, vary=[surfaces, REBOUND])).flights > 0
 
 
 def test_all_problems_of_a_plan_are_told_at_once() -> None:

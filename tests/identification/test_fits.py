@@ -22,6 +22,7 @@ from identification.rigs import (
 from springback.errors import InputError
 from springback.identification.design.coverage import coverage_of, fitted_set
 from springback.identification.fits import FitResult, fields_of_plan, fit, result_of
+from springback.identification.report.assumptions import assumptions
 from springback.identification.results_files import (
     as_data,
     draws,
@@ -31,6 +32,7 @@ from springback.identification.results_files import (
 from springback.identification.settings import FitPlan, read_fit_plan
 from springback.identification.solving.fitting import ImpactFit, fit_impact
 from springback.interfaces.cli.app import cli
+from springback.interfaces.cli.identify.fitting import fit_text
 from springback.scenario.scenario import scenario_from
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
@@ -182,6 +184,28 @@ def test_the_example_tells_the_numbers_that_its_log_was_made_with() -> None:
         if one.unknown.role == "free":
             assert one.low <= true[one.unknown.name] <= one.high
             assert one.high / one.low < 1.1
+
+
+def test_the_terminal_lists_what_was_assumed_exactly(arq: FitResult) -> None:
+    """The exponent is part of the law; a length moves a result; most numbers move none."""
+    text = fit_text(arq, None, assumptions(arq.fits))
+    told = text.split("assumed exactly:\n")[1]
+    assert "world.obstacles.0.surface.exponent = 1.5: another value makes another law" in told
+    assert "moving no result by a quarter of its uncertainty: " in told
+    assert STIFFNESS not in told.split(": another")[0]
+
+
+def test_a_mistake_in_a_plan_is_named_with_its_line(tmp_path: Path) -> None:
+    path = tmp_path / "fit.toml"
+    lines = ['scenario = "arq_wall.toml"', "[free]", '"vehicle.arms.dampin" = "factor 3"']
+    path.write_text("\n".join(lines))
+    (tmp_path / "arq_wall.toml").write_bytes((EXAMPLES / "arq_wall.toml").read_bytes())
+    done = CliRunner().invoke(cli, ["identify", "plan", str(path)])
+    assert isinstance(done.exception, InputError)
+    [line] = done.exception.problems
+    assert line.startswith(f"{path}:3: free.vehicle.arms.dampin: unknown parameter")
+    with pytest.raises(InputError, match=r"accelerometer\.bandwidth: is called low_pass in a plan"):
+        read_fit_plan(path, ['sensors.accelerometer.bandwidth="30 Hz"'])
 
 
 def test_an_order_of_arms_that_is_plainly_wrong_is_refused_with_the_right_one(

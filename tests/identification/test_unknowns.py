@@ -71,3 +71,17 @@ def test_what_is_no_uncertainty_is_refused(
         field_unknown(name, text, "free", scenario)
     assert len(caught.value.problems) == 1
     assert name in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("law", "name"),
+    [("hertz", "restitution"), ("hertz", "dissipation"), ("kelvin-voigt", "exponent")],
+)
+def test_a_number_that_the_law_does_not_read_is_refused(law: str, name: str) -> None:
+    tables = {**TABLES, "world": {"obstacles": [
+        {"type": "wall", "distance": 2.0, "surface": {"law": law, "viscosity": 10.0}}
+    ]}}  # fmt: skip
+    elastic = scenario_from(tables)
+    with pytest.raises(InputError, match=f"surface.{name}: law {law} does not use it"):
+        field_unknown(f"world.obstacles.0.surface.{name}", "0.5 +- 10 %", "free", elastic)
+    assert field_unknown("world.obstacles.0.surface.viscosity", "+- 10 %", "free", elastic)

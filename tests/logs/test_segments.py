@@ -8,7 +8,20 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from builders.recordings import CHANGE, CONTACT, TOUCH, inertial, poses, recording, whole
+from builders.recordings import (
+    CHANGE,
+    CONTACT,
+    TOUCH,
+    acceleration_at,
+    attitude_at,
+    inertial,
+    poses,
+    recording,
+    whole,
+)
+from springback.frames import euler_from_attitude
+from springback.logs.axes_options import axes_options
+from springback.logs.frame_turns import BODIES, WORLDS, attitudes_in, vectors_in
 from springback.logs.overview import missing_for_impact, overview
 from springback.logs.recording import (
     ARM_LENGTH,
@@ -33,6 +46,44 @@ def test_an_impact_is_found_with_its_velocity_change_and_normal() -> None:
     assert found.normal == pytest.approx(CHANGE / np.linalg.norm(CHANGE), abs=0.03)
     assert found.window[0] == pytest.approx(found.touch - 0.3)
     assert found.window[1] >= found.release + 0.25
+
+
+def test_an_impact_is_found_with_the_state_that_it_begins_with() -> None:
+    """Velocity by the track, 0.2 s of integrated accelerations; attitude; the arms pressed 10 mm."""
+    [found] = find_impacts([whole()])
+    fine = np.linspace(0.0, found.touch, 200_001)
+    smooth = acceleration_at(fine, np.zeros(3))
+    true = np.array([1.0, 0.0, 0.0]) + np.trapezoid(smooth, fine, axis=0)
+    assert found.velocity == pytest.approx(true, abs=0.02)
+    angles = euler_from_attitude(attitude_at(np.array([found.touch]))[0])
+    assert found.attitude == pytest.approx(angles, abs=0.01)
+    assert found.pressed is not None
+    assert found.pressed[0] in (1, 4)
+    assert found.pressed[1] == pytest.approx(0.01)
+    [blind] = find_impacts([recording(*inertial())])
+    assert (blind.velocity, blind.attitude, blind.pressed) == (None, None, None)
+
+
+@pytest.mark.parametrize(
+    ("made", "wrong"),
+    [(("y-up", "y-up"), ("nwu", "flu")), (("ned", "frd"), ("enu", "flu")),
+     (("enu", "flu"), ("enu", "frd"))],
+)  # fmt: skip
+def test_wrong_axes_are_named_as_the_options_to_type(
+    made: tuple[str, str], wrong: tuple[str, str]
+) -> None:
+    """Poses written in some axes and read in others; with the inertial unit beside them."""
+    world = WORLDS[wrong[0]] @ WORLDS[made[0]].T
+    body = BODIES[wrong[1]] @ BODIES[made[1]].T
+    position, attitude = poses()
+    read = recording(
+        replace(position, values=vectors_in(world, position.values)),
+        replace(attitude, values=attitudes_in(world, body, attitude.values)),
+        form="MCAP",
+    )
+    unit = recording(*inertial())
+    assert axes_options([read, unit], *wrong) == f"--world {made[0]} --body {made[1]}"
+    assert axes_options([recording(position, attitude, form="MCAP"), unit]) == ""
 
 
 def test_a_smooth_flight_has_no_impact() -> None:

@@ -12,6 +12,7 @@ import pytest
 from springback.studies.recordings.arm_release import release_lines
 from springback.studies.recordings.command import run_study
 from springback.studies.recordings.cube_tosses import toss_lines
+from springback.studies.recordings.frame_identification import identification_lines
 from springback.studies.recordings.printed_ratios import ratio_lines
 
 Lines = Callable[[Path | None], Iterator[str]]
@@ -32,6 +33,7 @@ def test_lines_are_written_as_they_come(capsys: pytest.CaptureFixture[str]) -> N
         (release_lines, ["."], ".: has no joint_step.csv; name a copy of github.com/ntnu-arl/"),
         (toss_lines, [], "no folder was named; name a copy of github.com/DAIRLab/contact-nets"),
         (toss_lines, ["."], ".: has no tosses; name a copy of github.com/DAIRLab/contact-nets"),
+        (identification_lines, [], "no folder was named; name a copy of github.com/thecognifly/"),
         (ratio_lines, ["."], ".: this study reads no recordings; name nothing"),
     ],
 )

@@ -17,7 +17,7 @@ import numpy as np
 from springback.batch.scenarios import no_collection
 from springback.batch.templates import BuiltGroup, ScenarioGroup, built_groups
 from springback.errors import InputError
-from springback.kernels.layout import Buffer, TreeLayout, row_of, rows
+from springback.kernels.layout import Buffer, TreeLayout, row_of, rows, structure
 from springback.kernels.trees import names
 from springback.scenario.build import ReadyFlight
 from springback.scenario.scenario import scenario_from
@@ -72,27 +72,52 @@ def sampled_flights(
         built = _built(tables, problems)
         if not built:
             raise problems[0]
-        first = built[0].first
-        loader = Loader(first.model, first.start, None, LANES)
-        for group in built:
-            loader.add(group.first.model, group.first.start, None, group.flown)
-        laid = loader.flights()
-    numbers = [number for group in built for number in group.flights]
-    spare = -len(numbers) % LANES
-    scale = np.concatenate([factors[numbers], np.ones(spare)]).reshape(-1, LANES)
+        kinds = _kinds(built)
+        laid = [_laid(kind) for kind in kinds]
+    columns = tuple(names(laid[0].shape.motion.state))
+    values = np.full((len(tables), len(at), len(columns)), np.nan)
+    for kind, flights in zip(kinds, laid, strict=True):
+        numbers = [number for group in kind for number in group.flights]
+        flown = _flown(flights, at, kind[0].first.thrusts, factors[numbers], threads)
+        values[numbers] = flown[: len(numbers)]
+    return StateSamples(at, columns, values)
+
+
+def _kinds(built: Sequence[BuiltGroup]) -> list[list[BuiltGroup]]:
+    """Groups by the types of their models: an exponent of 3/2 is another type than any other."""
+    found: list[tuple[Any, list[BuiltGroup]]] = []
+    for group in built:
+        form = structure(group.first.model)
+        same = next((groups for other, groups in found if other == form), None)
+        if same is None:
+            found.append((form, [group]))
+        else:
+            same.append(group)
+    return [groups for _, groups in found]
+
+
+def _laid(groups: Sequence[BuiltGroup]) -> Any:
+    """Flights of one kind in lanes."""
+    first = groups[0].first
+    loader = Loader(first.model, first.start, None, LANES)
+    for group in groups:
+        loader.add(group.first.model, group.first.start, None, group.flown)
+    return loader.flights()
+
+
+def _flown(
+    laid: Any, at: Array, thrusts: ThrustTable | None, factors: Array, threads: int | None
+) -> Array:
+    """States of the flights of one kind, and of those that fill the lanes."""
+    spare = -len(factors) % LANES
+    scale = np.concatenate([factors, np.ones(spare)]).reshape(-1, LANES)
     seen = np.empty((len(at), len(laid.buffers), rows(laid.shape.motion.state), LANES))
     workers = min(threads or os.cpu_count() or 1, len(laid.buffers))
     parts = np.array_split(np.arange(len(laid.buffers)), workers)
     with ThreadPoolExecutor(workers) as pool:
-        for _ in pool.map(
-            lambda part: _fly_part(laid, part, at, first.thrusts, scale, seen), parts
-        ):
+        for _ in pool.map(lambda part: _fly_part(laid, part, at, thrusts, scale, seen), parts):
             pass
-    columns = tuple(names(laid.shape.motion.state))
-    values = np.full((len(tables), len(at), len(columns)), np.nan)
-    flown = seen.transpose(1, 3, 0, 2).reshape(-1, len(at), len(columns))
-    values[numbers] = flown[: len(numbers)]
-    return StateSamples(at, columns, values)
+    return np.asarray(seen.transpose(1, 3, 0, 2).reshape(-1, len(at), seen.shape[2]))
 
 
 def _built(tables: Sequence[Mapping[str, Any]], problems: list[InputError]) -> list[BuiltGroup]:

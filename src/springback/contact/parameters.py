@@ -35,6 +35,13 @@ Law = Literal[
     "hunt-crossley", "hertz", "kelvin-voigt", "constant-restitution", "foam", "table", "impulse"
 ]
 
+#: Numbers of a surface that a law does not read.
+_DAMPING = ("dissipation", "restitution", "restitution_speed")
+_UNREAD: dict[str, tuple[str, ...]] = {
+    "hertz": _DAMPING, "kelvin-voigt": (*_DAMPING, "exponent"),
+    "impulse": ("stiffness", "exponent", "dissipation", "restitution_speed", "viscosity"),
+}  # fmt: skip
+
 
 class SurfaceSettings(HystereticSettings):
     """Parameters of a surface.
@@ -117,6 +124,13 @@ class SurfaceSettings(HystereticSettings):
                 f"of a Hunt–Crossley law must be at least 0.01 (got {self.restitution:g})",
                 "restitution",
             )
+
+    def unread(self) -> tuple[str, ...]:
+        """Numbers that its law does not read, so that to vary them is a mistake."""
+        found = _UNREAD.get(self.law, ())
+        if self.law == "hunt-crossley" and self.restitution is None:
+            return ("restitution_speed",)
+        return found
 
     def dissipation_value(self) -> float:
         """Coefficient c_a [s/m], given or computed from the restitution."""

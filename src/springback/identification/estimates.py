@@ -16,6 +16,9 @@ from springback.logs.recording import Array
 _HALF = float(scipy.stats.norm.ppf(0.975))
 #: Share of the prior's width from which a value counts as not learned, and below which as learned.
 NOT_LEARNED, LEARNED = 0.7, 0.3
+#: Depth at which forces are told [m] (chosen: of the contacts here; k and n hang together there
+#: least, while at 1 m they do by 0.99).
+DEPTH = 0.01
 
 
 class FieldEstimate(NamedTuple):
@@ -55,43 +58,163 @@ class FieldEstimate(NamedTuple):
 def field_estimates(fits: Sequence[ImpactFit], *, scatter: bool) -> list[FieldEstimate]:
     """Estimates of all fields, free ones first.
 
+    What is known to some uncertainty, or belongs to a device, is the same in every impact: its
+    error does not average out.  Each impact's value is pooled as it would be were that known
+    exactly, and the interval is then widened by it.
+
     Args:
         fits: Of all impacts, with the same fields.
         scatter: True: values may differ from impact to impact.
     """
     first = fits[0].problem
-    return [
-        _estimate(unknown, fits, scatter) for unknown in first.fields if unknown.role == "free"
-    ] + [_estimate(unknown, fits, scatter) for unknown in first.fields if unknown.role == "known"]
-
-
-def _estimate(unknown: Unknown, fits: Sequence[ImpactFit], scatter: bool) -> FieldEstimate:
-    places = [fit.problem.place[unknown.name] for fit in fits]
-    points = np.array([fit.point[k] for fit, k in zip(fits, places, strict=True)])
-    deviations = np.array([fit.deviation(unknown.name) for fit in fits])
+    free = [one for one in first.fields if one.role == "free"]
+    known = [one for one in first.fields if one.role == "known"]
     if len(fits) == 1:
-        deviation = float(deviations[0])
-        profile = fits[0].profiles.get(unknown.name)
-        reach = _HALF * deviation
-        low, high = float(points[0]) - reach, float(points[0]) + reach
-        if profile is not None:
-            low, high = profile.low, profile.high
-        value = float(unknown.value(points[0]))
-        return FieldEstimate(unknown, value, *_ends(unknown, low, high), deviation, None)
-    if unknown.role == "known":  # the same uncertainty in every impact, not an independent one
-        mean, deviation = float(points.mean()), float(deviations.min())
-        reach = _HALF * deviation
-        return FieldEstimate(
-            unknown, float(unknown.value(mean)), *_ends(unknown, mean - reach, mean + reach),
-            deviation, None,
-        )  # fmt: skip
-    # The prior is in every fit: it is taken out of all but one before they are pooled.
-    told = np.maximum(1.0 / deviations**2 - 1.0, 1e-6)
-    alone = points / deviations**2 / told
-    together = pool(alone, told**-0.5, scatter=scatter)
+        return [_alone(unknown, fits[0]) for unknown in (*free, *known)]
+    shared = _shared_numbers(fits)
+    return [
+        *(_pooled(unknown, fits, shared, scatter) for unknown in free),
+        *(_known(unknown, shared) for unknown in known),
+    ]
+
+
+class _Shared(NamedTuple):
+    """Numbers that all impacts share, and what all of them tell of these."""
+
+    names: list[str]
+    mean: Array  # u, shape (numbers,)
+    covariance: Array
+
+
+def _shared_numbers(fits: Sequence[ImpactFit]) -> _Shared:
+    """Known fields and numbers of devices, by the priors once and all impacts' data."""
+    names = [one.name for one in fits[0].problem.unknowns if one.is_shared]
+    precision, weighted = np.eye(len(names)), np.zeros(len(names))
+    for fit in fits:
+        which = [fit.problem.place[name] for name in names]
+        theirs = np.linalg.inv(fit.covariance[np.ix_(which, which)])
+        precision += theirs - np.eye(len(names))
+        weighted += theirs @ fit.point[which]
+    covariance = np.linalg.inv(precision)
+    return _Shared(names, np.asarray(covariance @ weighted), np.asarray(covariance))
+
+
+def _alone(unknown: Unknown, fit: ImpactFit) -> FieldEstimate:
+    point, deviation = (
+        float(fit.point[fit.problem.place[unknown.name]]),
+        fit.deviation(unknown.name),
+    )
+    profile, reach = fit.profiles.get(unknown.name), _HALF * deviation
+    low, high = point - reach, point + reach
+    if profile is not None:
+        low, high = profile.low, profile.high
+    value = float(unknown.value(point))
+    return FieldEstimate(unknown, value, *_ends(unknown, low, high), deviation, None)
+
+
+def _known(unknown: Unknown, shared: _Shared) -> FieldEstimate:
+    k = shared.names.index(unknown.name)
+    mean, deviation = float(shared.mean[k]), float(np.sqrt(shared.covariance[k, k]))
+    reach = _HALF * deviation
+    value = float(unknown.value(mean))
+    ends = _ends(unknown, mean - reach, mean + reach)
+    return FieldEstimate(unknown, value, *ends, deviation, None)
+
+
+def _pooled(
+    unknown: Unknown, fits: Sequence[ImpactFit], shared: _Shared, scatter: bool
+) -> FieldEstimate:
+    weights = np.array([float(one.name == unknown.name) for one in fits[0].problem.fields])
+    profiled = [
+        fit.deviation(unknown.name) ** 2
+        / float(fit.covariance[(k := fit.problem.place[unknown.name]), k])
+        for fit in fits
+    ]
+    together = _together(weights, fits, shared, scatter, np.array(profiled))
     deviation = (together.high - together.low) / (2.0 * _HALF)
     ends = _ends(unknown, together.low, together.high)
     return FieldEstimate(unknown, float(unknown.value(together.value)), *ends, deviation, together)
+
+
+def _together(
+    weights: Array, fits: Sequence[ImpactFit], shared: _Shared, scatter: bool, profiled: Array
+) -> PooledValue:
+    """What impacts tell of a sum of their fields' numbers u.
+
+    Args:
+        weights: Of the fields in the sum.
+        fits: Of all impacts.
+        shared: What they share.
+        scatter: True: it may differ from impact to impact.
+        profiled: Variance of each by its profile, over that by Laplace.
+    """
+    points, variances, slopes = [], [], []
+    for fit, factor in zip(fits, profiled, strict=True):
+        which = [fit.problem.place[name] for name in shared.names]
+        row = weights @ fit.covariance[: len(weights)]
+        variance = float(row[: len(weights)] @ weights)
+        # How the value follows the shared numbers, and what is left were they known.
+        slope = np.linalg.solve(fit.covariance[np.ix_(which, which)], row[which])
+        moved = float(slope @ (shared.mean - fit.point[which]))
+        points.append(float(weights @ fit.point[: len(weights)]) + moved)
+        variances.append(factor * max(variance - float(slope @ row[which]), 1e-6 * variance))
+        slopes.append(slope)
+    each, before = np.array(variances), float(weights @ weights)
+    # The prior is in every fit: it is taken out of all but one before they are pooled.
+    told = np.maximum(1.0 / each - 1.0 / before, 1e-6 / before)
+    together = pool(np.array(points) / each / told, told**-0.5, scatter=scatter)
+    shares = 1.0 / (1.0 / told + (together.scatter**2 if scatter else 0.0))
+    common = (shares / each / told / shares.sum()) @ np.array(slopes)
+    wide = _HALF * float(np.sqrt(common @ shared.covariance @ common))
+    return together._replace(
+        low=together.value - float(np.hypot(together.value - together.low, wide)),
+        high=together.value + float(np.hypot(together.high - together.value, wide)),
+    )
+
+
+class DepthForce(NamedTuple):
+    """Force of a surface at one depth, which data tell better than stiffness and exponent apart."""
+
+    name: str  # path of the surface
+    value: float  # [N]
+    low: float  # 95 %, by Laplace
+    high: float
+
+
+def depth_forces(fits: Sequence[ImpactFit], *, scatter: bool) -> list[DepthForce]:
+    """Forces k δⁿ at `DEPTH` of surfaces of which stiffness and exponent are both free.
+
+    Args:
+        fits: Of all impacts.
+        scatter: True: values may differ from impact to impact.
+    """
+    fields, found = fits[0].problem.fields, list[DepthForce]()
+    place = {one.name: k for k, one in enumerate(fields) if one.role == "free"}
+    for name, k in place.items():
+        surface = name.removesuffix(".stiffness")
+        n = place.get(f"{surface}.exponent")
+        if surface == name or n is None or not fields[k].logarithmic:
+            continue
+        exponent, middle = fields[n], float(np.mean([fit.point[n] for fit in fits]))
+        slope = exponent.deviation * (
+            float(exponent.value(middle)) if exponent.logarithmic else 1.0
+        )
+        weights = np.zeros(len(fields))
+        weights[k], weights[n] = fields[k].deviation, slope * np.log(DEPTH)
+        # ln F = ln k + n ln δ, to first order about the mean exponent.
+        rest = fields[k].centre + float(exponent.value(middle)) * np.log(DEPTH)
+        rest -= weights[n] * middle
+        if len(fits) == 1:
+            size = len(weights)
+            value = float(weights @ fits[0].point[:size])
+            half = _HALF * float(np.sqrt(weights @ fits[0].covariance[:size, :size] @ weights))
+            ends = value, value - half, value + half
+        else:
+            shared = _shared_numbers(fits)
+            together = _together(weights, fits, shared, scatter, np.ones(len(fits)))
+            ends = together.value, together.low, together.high
+        found.append(DepthForce(surface, *(float(np.exp(rest + end)) for end in ends)))
+    return found
 
 
 def _ends(unknown: Unknown, low: float, high: float) -> tuple[float, float]:

@@ -17,7 +17,7 @@ from springback.identification.observations.windows import ImpactWindow, impact_
 from springback.identification.settings import FitPlan, LoggedFlight, refuse_second_vehicle
 from springback.identification.solving.fitting import ImpactFit, fit_impact
 from springback.identification.unknowns import Unknown, field_unknown
-from springback.identification.wording import sentences
+from springback.identification.wording import force_sentences, sentences
 from springback.logs.frame_check import check_frames
 from springback.logs.reading import LogOptions
 from springback.logs.recording import ARM_LENGTH, Recording
@@ -249,7 +249,8 @@ def result_of(
     """
     estimates = field_estimates(fits, scatter=plan.scatter == "impact")
     tested = [one for fit_ in fits for one in misfits(fit_)]
-    said = [*warnings, *sentences(fits, estimates, tested)]
+    forces = force_sentences(fits, scatter=plan.scatter == "impact")
+    said = [*warnings, *forces, *sentences(fits, estimates, tested)]
     return FitResult(
         plan, tuple(fits), tuple(estimates), tuple(tested), tuple(said), tuple(refused)
     )  # fmt: skip

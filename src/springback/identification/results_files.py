@@ -12,6 +12,7 @@ import numpy as np
 from springback.errors import InputError
 from springback.identification.estimates import FieldEstimate
 from springback.identification.fits import FitResult
+from springback.identification.law_comparison import LawComparison
 from springback.identification.unknowns import DIRECTIONS, FARTHEST, INERTIA
 from springback.logs.recording import Array
 from springback.random_streams import Purpose, stream
@@ -30,8 +31,14 @@ def finite(number: float) -> float | None:
     return float(number) if np.isfinite(number) else None
 
 
-def as_data(result: FitResult) -> dict[str, Any]:
-    """A fit as plain data."""
+def as_data(result: FitResult, comparison: LawComparison | None = None) -> dict[str, Any]:
+    """A fit as plain data.
+
+    Args:
+        result: The fit.
+        comparison: Of laws, if the plan asks for one.
+    """
+    compared = {} if comparison is None else {"comparison": comparison.as_data()}
     return {
         "name": result.plan.name,
         "learned": result.is_informative,
@@ -63,11 +70,20 @@ def as_data(result: FitResult) -> dict[str, Any]:
                     for one in result.misfits],
         "sentences": list(result.sentences),
         "refused": list(result.refused),
+        **compared,
     }  # fmt: skip
 
 
-def write_files(result: FitResult, folder: Path) -> list[Path]:
-    """Write the overlay, the posterior and all numbers of a fit; the paths."""
+def write_files(
+    result: FitResult, folder: Path, comparison: LawComparison | None = None
+) -> list[Path]:
+    """Write the overlay, the posterior and all numbers of a fit; the paths.
+
+    Args:
+        result: The fit.
+        folder: For the files.
+        comparison: Of laws, if the plan asks for one.
+    """
     paths = [folder / name for name in (IDENTIFIED, POSTERIOR, SUMMARY)]
     paths[0].write_text(overlay_text(result), encoding="utf-8")
     drawn = zip(result.estimates, draws(result).T, strict=True)
@@ -80,7 +96,7 @@ def write_files(result: FitResult, folder: Path) -> list[Path]:
     units = {unknown.name: unknown.unit for unknown, _ in kept}
     about = {"name": result.plan.name, "draws": f"{DRAWS} draws, of a next impact"}
     write_parquet(paths[1], columns, units, about)
-    text = json.dumps(as_data(result), indent=1, allow_nan=False)
+    text = json.dumps(as_data(result, comparison), indent=1, allow_nan=False)
     paths[2].write_text(text + "\n", encoding="utf-8")
     return paths
 

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import contextlib
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, ValidationError, field_validator, model_validator
 
 from springback.errors import InputError, shown_value
-from springback.problems import dotted_path, problem_paths
+from springback.problems import dotted_path, key_path, problem_paths
 from springback.quantities import Duration, Unit
 from springback.scenario.files import place_of
 from springback.scenario.overrides import apply_overrides
@@ -34,7 +35,19 @@ class InertialChannel(Settings):
     average: Duration | None = None
     """Each sample is the mean over this time before its instant."""
     low_pass: Rate | None = None
-    """Corner of a low-pass of first order, after the range."""
+    """Corner of a low-pass of first order, after the range: ``bandwidth`` of a scenario's
+    sensor."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _as_of_a_log(cls, given: Any) -> Any:
+        if isinstance(given, Mapping) and "bandwidth" in given:
+            raise problem(
+                "is called low_pass in a plan, as in a log's mapping; bandwidth is the same "
+                "number of a scenario's sensors.imu",
+                "bandwidth",
+            )
+        return given
 
 
 class AccelerometerFit(InertialChannel):
@@ -46,6 +59,10 @@ class AccelerometerFit(InertialChannel):
     """Standard deviation of a sample, if white; by default estimated before touch."""
     bias: Annotated[float, Unit("m/s^2", above=0.0)] = 0.2
     """Standard deviation of each axis (chosen)."""
+    scale: Annotated[float, Unit("", above=0.0)] | None = None
+    """Standard deviation of its factor, the same for all axes and impacts; by default exact."""
+    misalignment: Annotated[float, Unit("rad", above=0.0)] | None = None
+    """Standard deviation of each component of a small turn against the body; by default exact."""
 
 
 class GyroscopeFit(InertialChannel):
@@ -181,6 +198,31 @@ class CandidateSettings(Settings):
     """Tests to be chosen, one after another."""
 
 
+LawName = Literal["hunt-crossley", "hertz", "kelvin-voigt", "constant-restitution"]
+
+
+class OtherModel(Settings):
+    """A model to compare with that of the plan."""
+
+    name: Name
+    change: tuple[str, ...] = ()
+    """Overrides of the scenario."""
+    free: dict[str, str] = Field(default_factory=dict)
+    """Fields that are fitted in place of the plan's; by default the same."""
+
+
+class ComparisonFit(Settings):
+    """Models that are compared by how well each predicts impacts that it was not fitted to."""
+
+    laws: tuple[LawName, ...] = ()
+    """Laws of the obstacle's surface; each begins as stiff and as lossy as the plan's was fitted,
+    and has its own numbers free within a factor of 5 (a restitution of 1.5)."""
+    obstacle: Annotated[int, Field(ge=0, strict=True)] = 0
+    """Number of the obstacle that has the law."""
+    others: tuple[OtherModel, ...] = ()
+    """Further models, by overrides of the scenario."""
+
+
 class FitPlan(Settings):
     """Plan of a fit."""
 
@@ -213,6 +255,8 @@ class FitPlan(Settings):
     """Part of the logs that is fitted."""
     candidates: CandidateSettings = CandidateSettings()
     """Tests that could be flown next."""
+    compare: ComparisonFit = ComparisonFit()
+    """Laws, or other models, that are compared by predictions of impacts left out."""
     scatter: Literal["impact", "none"] = "impact"
     """``impact``: what is fitted may differ from impact to impact; ``none``: it may not."""
     starts: Annotated[int, Field(ge=1, le=64, strict=True)] = 8
@@ -272,6 +316,39 @@ def read_fit_plan(path: str | Path, overrides: Sequence[str] = ()) -> FitPlan:
             said = f"{dotted_path(keys)}: {what}" if keys else what
             problems.append(f"{place_of(str(path), text, keys)}: {said}")
         raise InputError(*problems) from None
+
+
+@contextlib.contextmanager
+def naming_places(path: str | Path) -> Iterator[None]:
+    """Give problems of a plan's fields the file, the line and the table that they are of.
+
+    Args:
+        path: Of the plan.
+
+    Raises:
+        InputError: Again, each line that begins with a key of the plan with its place.
+    """
+    try:
+        yield
+    except InputError as error:
+        text = source_text(Path(path))
+        tables = toml_tables(text, str(path))
+        raise InputError(
+            *(_placed(one, str(path), text, tables) for one in error.problems)
+        ) from None
+
+
+def _placed(line: str, path: str, text: str, tables: Mapping[str, Any]) -> str:
+    name, colon, rest = line.partition(": ")
+    if not colon or line.startswith(path):
+        return line
+    for table in ("free", "known"):
+        if name in tables.get(table, {}):
+            return f"{place_of(path, text, (table, *key_path(name)))}: {table}.{name}: {rest}"
+    keys = key_path(name)
+    if keys and keys[0] in FitPlan.model_fields and keys[0] != "name":
+        return f"{place_of(path, text, keys)}: {line}"
+    return line
 
 
 def refuse_second_vehicle(scenario: Any) -> None:

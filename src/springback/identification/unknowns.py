@@ -17,7 +17,7 @@ from pydantic_core import PydanticCustomError
 from springback.errors import InputError, shown_value
 from springback.problems import key_path
 from springback.quantities import number_in, si_number
-from springback.scenario.fields import Parameter, Path, number_at
+from springback.scenario.fields import Parameter, Path, number_at, refuse_unread
 from springback.scenario.overrides import apply_overrides, with_value
 from springback.scenario.scenario import Scenario
 
@@ -52,6 +52,13 @@ class Unknown(NamedTuple):
     flies: bool = True
     """False if the motion does not depend on it, only what a sensor tells of it."""
     path: Path = ()
+    of_device: bool = False
+    """True for a latent that is the same in every impact, of a sensor."""
+
+    @property
+    def is_shared(self) -> bool:
+        """True if it is one number of all impacts, and known to some uncertainty."""
+        return self.role == "known" or self.of_device
 
     def value(self, u: Any) -> Any:
         """Value in SI, of a number u or an array."""
@@ -97,6 +104,10 @@ def field_unknown(name: str, text: str, role: Role, scenario: Scenario) -> Unkno
     current = _current(scenario, path)
     if current is None and path[:3] in (DIRECTIONS, INERTIA):
         raise InputError(f"{name}: the vehicle has no such number")
+    try:
+        refuse_unread(path, scenario, ())
+    except InputError as error:
+        raise InputError(f"{name}: {error}") from None
     try:
         centre, deviation, logarithmic = _prior(found, text, current)
     except PydanticCustomError as error:
@@ -157,11 +168,17 @@ def _positive(field: Parameter, centre: float, text: str) -> None:
 
 
 def latent(
-    name: str, deviation: float, unit: str, *, centre: float = 0.0, flies: bool = True
+    name: str,
+    deviation: float,
+    unit: str,
+    *,
+    centre: float = 0.0,
+    flies: bool = True,
+    of_device: bool = False,
 ) -> Unknown:
-    """A latent of an impact."""
+    """A latent of an impact, or of a sensor."""
     text = f"+- {deviation:.3g} {unit}".strip()
-    return Unknown(name, "latent", centre, deviation, False, unit, text, flies)
+    return Unknown(name, "latent", centre, deviation, False, unit, text, flies, of_device=of_device)
 
 
 def with_values(

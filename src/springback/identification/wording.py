@@ -6,8 +6,14 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from springback.identification.estimates import FieldEstimate, correlations
+from springback.identification.estimates import (
+    DEPTH,
+    FieldEstimate,
+    correlations,
+    depth_forces,
+)
 from springback.identification.misfit import ChannelMisfit
+from springback.identification.sensitivity import HARDLY, field_sensitivities, reason_untold
 from springback.identification.solving.fitting import ImpactFit
 from springback.identification.solving.pooling import DIFFERENT
 from springback.logs.recording import ARM_LENGTH, POSITION, SPECIFIC_FORCE
@@ -43,6 +49,21 @@ def estimate_sentence(one: FieldEstimate) -> str:
     elif one.verdict == "at most":
         said = f"{unknown.name} is at most {number_text(one.high, unit)}"
     return f"{said}: {one.verdict} ({100.0 * one.deviation:.2g} % of the uncertainty before)"
+
+
+def force_sentences(fits: Sequence[ImpactFit], *, scatter: bool) -> list[str]:
+    """Forces at one depth of surfaces whose stiffness and exponent are both free.
+
+    Args:
+        fits: Of all impacts.
+        scatter: True: values may differ from impact to impact.
+    """
+    return [
+        f"force at {1e3 * DEPTH:g} mm of {one.name} = {number_text(one.value, 'N')}, "
+        f"{100.0 * (one.low / one.value - 1.0):+.2g} % to "
+        f"{100.0 * (one.high / one.value - 1.0):+.2g} %: stiffness and exponent together"
+        for one in depth_forces(fits, scatter=scatter)
+    ]
 
 
 def sentences(
@@ -111,8 +132,9 @@ def _not_learned(one: FieldEstimate, fits: Sequence[ImpactFit]) -> list[str]:
     reasons = []
     fit = fits[0]
     names, matrix = correlations(fit)
-    row = np.abs(matrix[names.index(one.unknown.name)].copy())
-    row[names.index(one.unknown.name)] = 0.0
+    place = names.index(one.unknown.name)
+    row = np.abs(matrix[place].copy())
+    row[place] = 0.0
     if row.max() > BOUND_TOGETHER:
         other = names[int(row.argmax())]
         reasons.append(f"it cannot be told apart from {other} (correlation {row.max():.2f})")
@@ -131,6 +153,13 @@ def _not_learned(one: FieldEstimate, fits: Sequence[ImpactFit]) -> list[str]:
         reasons.append("no sensors of arm lengths were given")
     if not reasons:
         reasons.append("this impact hardly depends on it; springback identify plan tells of others")
+    problem = fit.problem
+    told = [
+        field_sensitivities(problem.unknowns, one.jacobian, problem.count)[place] for one in fits
+    ]
+    most = max(told, key=lambda each: each.told)
+    if most.told < HARDLY:
+        reasons = [reason_untold(one.unknown, most, problem.scenario)]
     return [f"{one.unknown.name} {one.verdict}: {'; '.join(reasons)}"]
 
 

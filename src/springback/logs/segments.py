@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.frames import euler_from_attitude
 from springback.logs.clocks import Offset, timing
 from springback.logs.frame_check import (
     GRAVITY,
@@ -16,6 +17,7 @@ from springback.logs.frame_check import (
     world_force,
 )
 from springback.logs.frame_turns import world_vectors
+from springback.logs.impact_state import most_pressed, velocity_before
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
     ARM_LENGTH,
@@ -65,6 +67,9 @@ class LogImpact(NamedTuple):
     velocity_change: tuple[float, float, float] | None  # world [m/s]
     normal: tuple[float, float, float] | None  # of the obstacle, world, towards the vehicle
     refused: str  # why it cannot be used; empty if it can
+    velocity: tuple[float, float, float] | None = None  # just before touch, world [m/s]
+    attitude: tuple[float, float, float] | None = None  # at touch: roll, pitch, yaw [rad]
+    pressed: tuple[int, float] | None = None  # column of the arm pressed most, and by what [m]
 
 
 class _Candidate(NamedTuple):
@@ -269,8 +274,27 @@ def _described(
     refused = _refusal(one, window, samples, normal, channel, sources, recordings)
     return LogImpact(
         str(log.path), channel.name, one.touch, one.release, window, evidence, peak, clipped,
-        samples, change, normal, refused,
+        samples, change, normal, refused, *_state_at_touch(one, sources),
     )  # fmt: skip
+
+
+def _state_at_touch(
+    one: _Candidate, sources: _Sources
+) -> tuple[Triple | None, Triple | None, tuple[int, float] | None]:
+    """Velocity before touch, attitude at it, and the arm that is pressed most, as far as known."""
+    velocity, attitude, pressed = None, None, None
+    if sources.tracks:
+        _, track, offset = sources.tracks[0]
+        velocity = velocity_before(track, one.touch - offset)
+    if (turned := sources.attitude) is not None:
+        at = one.touch - sources.attitude_offset
+        known = turned.times[~turned.is_lost]
+        if len(known) and known[0] <= at <= known[-1]:
+            angles = euler_from_attitude(interpolated_attitudes(turned, np.array([at]))[0])
+            attitude = (float(angles[0]), float(angles[1]), float(angles[2]))
+    if sources.arms:
+        pressed = most_pressed(sources.arms[0][1], one.touch, one.release)
+    return velocity, attitude, pressed
 
 
 Triple = tuple[float, float, float]

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from types import UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
@@ -152,6 +152,34 @@ def _known_arguments(given: Mapping[str, Any]) -> str:
     return f"known here: {', '.join(given)}" if given else "the code is given none"
 
 
+def refuse_unread(path: Path, scenario: Settings, others: Iterable[Path]) -> None:
+    """Refuse a number of a surface that its law does not read: to vary it would change nothing.
+
+    Args:
+        path: Of the number.
+        scenario: That has it.
+        others: Paths that vary as well; a law, or a whole surface, may bring another that does.
+
+    Raises:
+        InputError: With the law.
+    """
+    node: Any = scenario
+    for key in path[:-1]:
+        try:
+            node = node[key] if isinstance(key, int) else getattr(node, key)
+        except (TypeError, IndexError, AttributeError):
+            return
+    unread = getattr(node, "unread", None)
+    if unread is None or path[-1] not in unread():
+        return
+    law = (*path[:-1], "law")
+    if not any(one == law[: len(one)] for one in others):
+        raise InputError(
+            f"law {node.law} does not use it, so it would change nothing; give a law that has it "
+            f"({dotted_path(law)})"
+        )
+
+
 def number_at(
     name: str, path: Path, scenario: Settings, known: tuple[str, ...]
 ) -> Parameter | None:
@@ -190,7 +218,10 @@ def number_at(
         if key not in fields:
             near = nearest_name(key, [*fields, *known])
             if near == key:  # a short name that needs more than this scenario has
-                raise InputError(f"{name}: {key!r} needs a reference of type run-up")
+                other = "start.velocity.0" if key == "speed" else "start.pitch"
+                raise InputError(
+                    f"{name}: {key!r} needs a reference of type run-up; for a throw vary {other}"
+                )
             hint = f"did you mean {near}?" if near else f"known here: {', '.join(fields)}"
             raise InputError(f"{name}: unknown parameter {key!r}; {hint}")
         field, others = fields[key], ()

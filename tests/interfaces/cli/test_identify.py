@@ -96,6 +96,16 @@ def test_logs_of_one_flight_are_compared(folder: Path) -> None:
     assert "pass  vehicle.attitude and sensor_gyro: rates of turn agree (1.000)" in shown
 
 
+def test_wrong_axes_are_answered_with_options_that_work(folder: Path) -> None:
+    write_recording(whole(), folder / "take.csv", "motive")
+    logs = [str(folder / "hit.ulg"), str(folder / "take.csv")]
+    wrong = said("inspect", *logs, "--world", "z-up", "--body", "flu")
+    assert "FAIL" in wrong
+    options = wrong.splitlines()[-1].removeprefix("all findings pass with ").split()
+    assert options == ["--world", "y-up", "--body", "y-up"]
+    assert "FAIL" not in said("inspect", *logs, *options)
+
+
 @pytest.mark.parametrize("out", ["flight.mcap", "flight.csv", "other.ulg", "take.tsv"])
 def test_convert_writes_what_is_read_back(folder: Path, out: str) -> None:
     CliRunner().invoke(

@@ -25,11 +25,12 @@ from springback.campaign.design.targets import (
     Place,
     TargetField,
     addition,
+    field_path,
     multiplication,
     target,
 )
 from springback.errors import InputError, shown_value
-from springback.scenario.fields import Parameter, Path
+from springback.scenario.fields import Parameter, Path, refuse_unread
 from springback.scenario.scenario import Scenario
 from springback.studies.trials import Scatter
 
@@ -120,6 +121,8 @@ def posterior_dimensions(
     for name, draws in sorted(plan.posterior.draws.items()):  # as stored
         try:
             goal, *_ = [target(name, scenario) for scenario in scenarios]
+            for scenario in scenarios:
+                refuse_unread(goal.path, scenario, [field_path(one.field) for one in plan.vary])
         except InputError as error:
             blame(("posterior",), f"{name}: {error}")
             continue
@@ -160,6 +163,8 @@ def varied_dimension(
     at: Path = ("vary", k)
     try:
         goal, *_ = [target(entry.field, scenario) for scenario in scenarios]
+        for scenario in scenarios:
+            refuse_unread(goal.path, scenario, [field_path(one.field) for one in plan.vary])
     except InputError as error:
         blame((*at, "field"), str(error))
         return None

@@ -21,7 +21,7 @@ from springback.identification.fits import base_scenario, fields_of_plan, result
 from springback.identification.observations.likelihood import ImpactProblem
 from springback.identification.observations.windows import impact_window
 from springback.identification.settings import FitPlan
-from springback.identification.solving.fitting import fit_impact
+from springback.identification.solving.fitting import ImpactFit, fit_impact
 from springback.identification.unknowns import Unknown
 from springback.intervals import wilson
 from springback.logs.recording import Recording
@@ -178,21 +178,10 @@ def fitted_set(
         corrupt: Change of the recording.
     """
     generator = stream(plan.seed, Purpose.TRIAL, seed)
-    displaced = _displaced(fields, generator)
+    displaced = displaced_fields(fields, generator)
     flown = _flown_tables(dict(tables if truth is None else truth), seed, generator)
     try:
-        recording = flight_recording(fly(scenario_from(flown)), Path(f"set {seed}"))
-        recording = recording if corrupt is None else corrupt(recording)
-        drops = plan.experiment == "drop"
-        found = [one for one in find_impacts([recording], drops=drops) if not one.refused]
-        if not found:
-            raise InputError(f"set {seed}: no impact was found")
-        believed: Scenario = scenario_from(dict(tables))
-        fits = []
-        for impact in found:
-            readings = impact_window(plan, believed, [recording], impact)
-            problem = ImpactProblem(plan, believed, tables, displaced, readings)
-            fits.append(fit_impact(problem, starts=plan.starts, seed=plan.seed))
+        fits = synthetic_fits(plan, tables, displaced, flown, f"set {seed}", corrupt=corrupt)
         result = result_of(plan, fits)
     except InputError as error:
         return SyntheticFit({}, {}, {}, {}, False, 0.0, "; ".join(error.problems))
@@ -216,7 +205,44 @@ def fitted_set(
     )
 
 
-def _displaced(fields: Sequence[Unknown], generator: np.random.Generator) -> list[Unknown]:
+def synthetic_fits(
+    plan: FitPlan,
+    tables: Mapping[str, Any],
+    fields: Sequence[Unknown],
+    flown: Mapping[str, Any],
+    name: str,
+    *,
+    corrupt: Corruption | None = None,
+) -> list[ImpactFit]:
+    """Fly one flight, record it and fit its impacts, as those of a log.
+
+    Args:
+        plan: Of the fit.
+        tables: Of the scenario that is believed, plain.
+        fields: With their priors.
+        flown: Tables of what is flown, with sensors and a seed of their own.
+        name: Of the recording.
+        corrupt: Change of the recording.
+
+    Raises:
+        InputError: If it cannot be flown, has no impact, or cannot be fitted.
+    """
+    recording = flight_recording(fly(scenario_from(dict(flown))), Path(name))
+    recording = recording if corrupt is None else corrupt(recording)
+    drops = plan.experiment == "drop"
+    found = [one for one in find_impacts([recording], drops=drops) if not one.refused]
+    if not found:
+        raise InputError(f"{name}: no impact was found")
+    believed: Scenario = scenario_from(dict(tables))
+    fits = []
+    for impact in found:
+        readings = impact_window(plan, believed, [recording], impact)
+        problem = ImpactProblem(plan, believed, tables, fields, readings)
+        fits.append(fit_impact(problem, starts=plan.starts, seed=plan.seed))
+    return fits
+
+
+def displaced_fields(fields: Sequence[Unknown], generator: np.random.Generator) -> list[Unknown]:
     """Fields whose priors have other middles, as often as the priors say."""
     found = []
     for one in fields:

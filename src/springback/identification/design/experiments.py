@@ -17,12 +17,18 @@ import numpy as np
 import scipy  # submodules are loaded on first use
 
 from springback.errors import InputError
+from springback.identification.estimates import NOT_LEARNED
 from springback.identification.fits import base_scenario, fields_of_plan
 from springback.identification.observations.channel_window import ChannelWindow
 from springback.identification.observations.initial_state import InitialState
 from springback.identification.observations.likelihood import ImpactProblem
 from springback.identification.observations.noise import ChannelNoise, white_noise
 from springback.identification.observations.windows import FLOORS, ImpactWindow
+from springback.identification.sensitivity import (
+    FieldSensitivity,
+    field_sensitivities,
+    reason_untold,
+)
 from springback.identification.settings import FitPlan
 from springback.identification.solving.fitting import ImpactFit
 from springback.identification.solving.least_squares import jacobians
@@ -42,6 +48,8 @@ from springback.scenario.scenario import Scenario, scenario_from
 
 #: Time after touch that a test records [s] (chosen).
 AFTER = 0.2
+#: Factor by which an interval narrows for a test to be worth a sentence (chosen).
+HELPS = 1.1
 _HALF = float(scipy.stats.norm.ppf(0.975))
 
 
@@ -50,6 +58,7 @@ class CandidateExperiment(NamedTuple):
 
     name: str
     information: Array  # about the fields, in u, shape (fields, fields)
+    told: tuple[FieldSensitivity, ...]  # of each field; empty if it cannot be flown
     problem: str  # why it cannot be flown; empty if it can
 
 
@@ -69,6 +78,7 @@ class ExperimentPlan(NamedTuple):
     alone: tuple[tuple[str, tuple[float, ...]], ...]  # of each candidate, half widths after it
     chosen: tuple[ChosenExperiment, ...]
     refused: tuple[tuple[str, str], ...]  # candidates that cannot be flown, and why
+    untold: tuple[str, ...] = ()  # free fields that no candidate tells, and why
 
     @property
     def sentence(self) -> str:
@@ -79,6 +89,8 @@ class ExperimentPlan(NamedTuple):
         ratio = [b / a for a, b in zip(best.half_widths, self.before, strict=True)]
         k = int(np.argmax(ratio))
         field = self.fields[k]
+        if ratio[k] < HELPS:
+            return "no candidate tells more than is known: fly others (candidates.others)"
         return (
             f"next best: {best.name}: {field.name} from ± {width_text(field, self.before[k])} to "
             f"± {width_text(field, best.half_widths[k])}"
@@ -88,7 +100,8 @@ class ExperimentPlan(NamedTuple):
 def width_text(field: Unknown, half_width: float) -> str:
     """Half a width in words."""
     if field.logarithmic:
-        return f"{100.0 * half_width:.2g} %"
+        percent = 100.0 * half_width
+        return f"{percent:.0f} %" if percent >= 99.5 else f"{percent:.2g} %"
     return f"{half_width:.2g} {field.unit}".strip()
 
 
@@ -137,7 +150,30 @@ def plan_experiments(
         tuple(alone),
         tuple(chosen),
         tuple((one.name, one.problem) for one in found if one.problem),
+        _untold(fields, usable, known, total, scenario),
     )
+
+
+def _untold(
+    fields: Sequence[Unknown],
+    usable: Sequence[CandidateExperiment],
+    known: Array,
+    total: Array,
+    scenario: Scenario,
+) -> tuple[str, ...]:
+    """Free fields that are not told after all chosen tests either, by the reason."""
+    found: dict[str, list[str]] = {}
+    before, after = (np.diag(np.linalg.inv(one)) ** 0.5 for one in (known, total))
+    for k, field in enumerate(fields):
+        if field.role != "free" or not usable or after[k] < NOT_LEARNED * before[k]:
+            continue
+        most = max((one.told[k] for one in usable), key=lambda told: told.told)
+        now, then = (
+            width_text(field, _HALF * field.deviation * float(x[k])) for x in (before, after)
+        )
+        reason = reason_untold(field, most, scenario)
+        found.setdefault(reason, []).append(f"{field.name} (± {now} now, ± {then} after all)")
+    return tuple(f"no candidate tells {' and '.join(them)}: {why}" for why, them in found.items())
 
 
 def _candidates(plan: FitPlan, scenario: Scenario) -> list[tuple[str, list[str]]]:
@@ -176,13 +212,14 @@ def _candidate(
         impact = planned_window(plan, scenario, name)
         problem = ImpactProblem(plan, scenario, changed, fields, impact)
         middle = np.zeros(len(problem.unknowns))
-        told = problem.predictions(middle)
-        readings = tuple(one._replace(values=told[one.name]) for one in problem.readings)
+        values = problem.predictions(middle)
+        readings = tuple(one._replace(values=values[one.name]) for one in problem.readings)
         problem.readings = list(readings)
         _, [slopes] = jacobians(problem, middle[None], np.ones(len(middle), dtype=bool))
     except InputError as error:
-        return CandidateExperiment(name, np.zeros((size, size)), "; ".join(error.problems))
-    return CandidateExperiment(name, _about_fields(slopes.T @ slopes, size), "")
+        return CandidateExperiment(name, np.zeros((size, size)), (), "; ".join(error.problems))
+    told = tuple(field_sensitivities(problem.unknowns, slopes, size))
+    return CandidateExperiment(name, _about_fields(slopes.T @ slopes, size), told, "")
 
 
 def _about_fields(square: Array, size: int) -> Array:

@@ -54,6 +54,8 @@ UNTRACKED = 3.0
 #: is an outlier (chosen).
 SETTLED, OUTLIER = 0.02, 5.0
 _AXES = "xyz"
+#: Latents of an accelerometer's calibration.
+SCALE, TURN = "accelerometer scale", "accelerometer misalignment"
 
 
 class ImpactProblem:
@@ -123,6 +125,15 @@ class ImpactProblem:
         ):
             if quantity in names:
                 found += [latent(f"{word} {a}", uncertainty, unit, flies=False) for a in _AXES]
+        if SPECIFIC_FORCE in names:
+            part = sensors.accelerometer
+            if part.scale is not None:
+                found.append(latent(SCALE, part.scale, "", centre=1.0, flies=False, of_device=True))
+            if part.misalignment is not None:
+                found += [
+                    latent(f"{TURN} {a}", part.misalignment, "rad", flies=False, of_device=True)
+                    for a in _AXES
+                ]
         if any(one.other_clock for one in self.readings):
             found.append(latent("clock offset", self.impact.clock_uncertainty, "s", flies=False))
         return found
@@ -283,7 +294,17 @@ class ImpactProblem:
         word = "accelerometer bias" if is_force else "gyroscope bias"
         true = means.specific_force if is_force else means.angular_velocity
         bias = self._columns(u, *(f"{word} {a}" for a in _AXES))
-        return channel_output(true[which], bias, self.chain(one), samples.times, one.times)
+        felt = self._calibrated(true[which], u) if is_force else true[which]
+        return channel_output(felt, bias, self.chain(one), samples.times, one.times)
+
+    def _calibrated(self, true: Array, u: Array) -> Array:
+        """Specific forces as an accelerometer of another scale, turned a little, has them."""
+        if f"{TURN} x" in self.place:
+            turn = self._columns(u, *(f"{TURN} {a}" for a in _AXES))
+            true = true - np.cross(turn[:, None, :], true)
+        if SCALE in self.place:
+            true = true * self._columns(u, SCALE)[:, None, :]
+        return true
 
     def chain(self, one: ChannelWindow) -> ChannelChain:
         """Chain of an inertial channel: as the plan has it, else the log, else the scenario."""

@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.errors import InputError
+from springback.identification.estimates import FieldEstimate
 from springback.identification.observations.likelihood import ImpactProblem
 from springback.identification.solving.fitting import ImpactFit
 from springback.identification.solving.least_squares import jacobians
@@ -35,6 +36,8 @@ _SLIGHT = 1e-3
 _LAWS = ("law", "friction_law", "friction_axes", "shared_by")
 #: Least change of a fitted field that counts, in its standard deviations (chosen).
 MATTERS = 0.25
+#: Most sentences on assumed fields, and names of those that move nothing (chosen).
+MOST_SAID, MOST_QUIET = 8, 6
 
 
 class Assumption(NamedTuple):
@@ -76,6 +79,42 @@ def assumptions(fits: Sequence[ImpactFit]) -> list[Assumption]:
             one.name, one.centre, one.unit, one.uncertainty, shifts, weights[one.name]
         ))  # fmt: skip
     return sorted(found, key=lambda one: -one.weight)
+
+
+def assumption_sentences(
+    found: Sequence[Assumption], estimates: Sequence[FieldEstimate]
+) -> list[str]:
+    """Assumed fields that move a result, or whose value is part of a law; and how many do not.
+
+    Args:
+        found: From `assumptions`.
+        estimates: Of the fit.
+    """
+    known = {one.unknown.name: one for one in estimates}
+    said, quiet = list[str](), list[str]()
+    for one in found:
+        value = f"{one.name} = {one.value:.5g} {one.unit}".rstrip()
+        if not one.change:
+            said.append(f"{value}: another value makes another law")
+            continue
+        if one.weight < MATTERS:
+            quiet.append(one.name)
+            continue
+        name = max(one.shifts, key=lambda key: abs(one.shifts[key]) / known[key].deviation)
+        unknown = known[name].unknown
+        size = unknown.deviation * one.shifts[name]
+        far = f"{100.0 * math.expm1(size):+.2g} %" if unknown.logarithmic else (
+            f"{size:+.2g} {unknown.unit}".rstrip()
+        )  # fmt: skip
+        said.append(f"{value}: {one.change} more move {name} by {far}")
+    if len(said) > MOST_SAID:
+        said = [*said[:MOST_SAID], f"and {len(said) - MOST_SAID} more that move a result"]
+    if quiet:
+        shown = ", ".join(quiet[:MOST_QUIET]) + (", ..." if len(quiet) > MOST_QUIET else "")
+        said.append(
+            f"moving no result by a quarter of its uncertainty: {len(quiet)} more ({shown})"
+        )
+    return said
 
 
 def _untried(one: Unknown) -> Assumption:

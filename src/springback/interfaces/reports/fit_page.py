@@ -11,6 +11,7 @@ import numpy as np
 from springback.identification.design.experiments import ExperimentPlan
 from springback.identification.estimates import FieldEstimate, correlations
 from springback.identification.fits import FitResult
+from springback.identification.law_comparison import LawComparison
 from springback.identification.misfit import UNLIKELY
 from springback.identification.report.assumptions import MATTERS, assumptions, words_of_laws
 from springback.identification.report.profiles import profile_curves
@@ -36,9 +37,11 @@ from springback.interfaces.reports.fit_tables import (
     interval_alone,
     interval_of,
     latent_rows,
+    law_rows,
     misfit_rows,
     narrower_rows,
     search_rows,
+    source_words,
     value_text,
 )
 from springback.interfaces.reports.page import (
@@ -60,19 +63,27 @@ RELATED, MOST_LATENTS = 0.5, 6
 MOST_ASSUMED = 12
 
 
-def write_report(result: FitResult, folder: Path, further: ExperimentPlan | None = None) -> Path:
+def write_report(
+    result: FitResult,
+    folder: Path,
+    further: ExperimentPlan | None = None,
+    compared: LawComparison | None = None,
+) -> Path:
     """Write the page ``report.html`` of a fit; see `fit_page`."""
     path = folder / REPORT
-    path.write_text(fit_page(result, further), encoding="utf-8")
+    path.write_text(fit_page(result, further, compared), encoding="utf-8")
     return path
 
 
-def fit_page(result: FitResult, further: ExperimentPlan | None = None) -> str:
+def fit_page(
+    result: FitResult, further: ExperimentPlan | None = None, compared: LawComparison | None = None
+) -> str:
     """Self-contained HTML page of a fit; some hundred flights are flown for it.
 
     Args:
         result: With its fits.
         further: Tests that tell most next.
+        compared: Laws, by impacts left out.
     """
     fits = result.fits
     flights, seconds = sum(fit.problem.flown for fit in fits), sum(fit.seconds for fit in fits)
@@ -81,7 +92,10 @@ def fit_page(result: FitResult, further: ExperimentPlan | None = None) -> str:
     content: dict[str, Content] = {
         "overview": {
             "impacts": impacts, "answer": _answer(result), "trust": _trust(result),
-            "fields": [table(WORDS.text["fields"], WORDS.head("fields"), field_rows(result))],
+            "fields": [table(
+                WORDS.say("fields", source=source_words(result)), WORDS.head("fields"),
+                field_rows(result),
+            )],
         },
         "warnings": {
             "sentences": [_sentence(text) for text in result.sentences],
@@ -93,6 +107,7 @@ def fit_page(result: FitResult, further: ExperimentPlan | None = None) -> str:
         "profiles": {"pictures": _profiles(fits)},
         "correlations": {"pictures": _correlations(fits)},
         "impacts": _impacts(result),
+        "laws": _laws(compared),
         "assumed": _assumed(result),
         "next": _next(result, further),
         "method": method,
@@ -216,6 +231,16 @@ def _impacts(result: FitResult) -> Content:
     }  # fmt: skip
 
 
+def _laws(compared: LawComparison | None) -> Content:
+    if compared is None:
+        return {}
+    rows = law_rows(compared)
+    return {
+        "sentences": [_sentence(text) for text in compared.sentences],
+        "tables": [table(WORDS.text["laws_table"], WORDS.head("laws"), rows)],
+    }
+
+
 def _assumed(result: FitResult) -> Content:
     fits, found = result.fits, assumptions(result.fits)
     matter = [one for one in found if one.weight >= MATTERS][:MOST_ASSUMED]
@@ -241,7 +266,7 @@ def _next(result: FitResult, further: ExperimentPlan | None) -> Content:
     tables = [table(WORDS.text["narrower"], WORDS.head("narrower"), rows)] if rows else []
     said = list[str]()
     if further is not None:
-        said.append(further.sentence)
+        said += [further.sentence, *further.untold]
         head = [WORDS.text["candidate"], *short_names([one.name for one in further.fields])]
         rows = experiment_rows(further)
         tables.insert(0, table(WORDS.text["experiments"], head, rows))

@@ -9,6 +9,7 @@ import numpy as np
 from springback.identification.design.experiments import ExperimentPlan, width_text
 from springback.identification.estimates import FieldEstimate
 from springback.identification.fits import FitResult
+from springback.identification.law_comparison import LawComparison
 from springback.identification.misfit import ChannelMisfit
 from springback.identification.report.assumptions import MATTERS, Assumption
 from springback.identification.solving.fitting import ImpactFit
@@ -68,7 +69,7 @@ def estimate_cells(unknown: Unknown, found: IntervalEstimate) -> tuple[TableCell
         ends = with_unit(interval_text(found, unit.factor), unit.symbol)
         if found.value:
             shares = ((end - found.value) / abs(found.value) for end in (found.low, found.high))
-            detail = " to ".join(map(percent, shares))
+            detail = " to ".join(map(_end_share, shares))
     elif found.low is not None:
         ends = f"at least {value_text(found.low, unknown.unit)}"
     elif found.high is not None:
@@ -78,15 +79,22 @@ def estimate_cells(unknown: Unknown, found: IntervalEstimate) -> tuple[TableCell
     return TableCell(value, found.value), TableCell(ends, detail=detail)
 
 
-def field_rows(result: FitResult) -> Rows:
-    """Values, intervals, priors and verdicts of all fields."""
+def _end_share(share: float) -> str:
+    """End of an interval against the value; narrow ones with a digit that is not zero."""
+    small = 0.0 < abs(share) < 5e-4
+    return f"{100.0 * share:+.1g} %".replace("-", "−") if small else percent(share)
+
+
+def source_words(result: FitResult) -> str:
+    """Where the intervals of free fields are from."""
     count = len(result.fits)
     if count == 1:
-        source = "profile of the likelihood"
-    elif result.plan.scatter == "impact":
-        source = f"{count} impacts, scatter"
-    else:
-        source = f"{count} impacts, no scatter"
+        return "profiles of the likelihood"
+    return f"{count} impacts, {'with' if result.plan.scatter == 'impact' else 'without'} scatter"
+
+
+def field_rows(result: FitResult) -> Rows:
+    """Values, intervals, priors and verdicts of all fields."""
     rows: Rows = []
     for one in result.estimates:
         low, high = one.prior
@@ -94,16 +102,12 @@ def field_rows(result: FitResult) -> Rows:
         ends = " to ".join(three_digits(unit.factor * end) for end in (low, high))
         prior = TableCell(with_unit(ends, unit.symbol), detail=one.unknown.uncertainty)
         learned = TableCell(
-            one.verdict, detail=f"{_share(100.0 * one.deviation)} % of the uncertainty"
-        )
-        free = one.unknown.role == "free"
-        mark = TableCell(
-            "", detail=source if free else "taken as known",
-            mark=Mark.FITTED if free else Mark.GIVEN,
+            one.verdict, detail=f"{_share(100.0 * one.deviation)} % of the uncertainty",
+            mark=Mark.FITTED if one.unknown.role == "free" else Mark.GIVEN,
         )  # fmt: skip
         rows.append([
             TableCell(one.unknown.name, code=True),
-            *estimate_cells(one.unknown, interval_of(one)), prior, learned, mark,
+            *estimate_cells(one.unknown, interval_of(one)), prior, learned,
         ])  # fmt: skip
     return rows
 
@@ -211,6 +215,24 @@ def narrower_rows(estimates: Sequence[FieldEstimate], names: Sequence[str], matr
             name = TableCell(one.unknown.name, code=True)
             rows.append((best, [name, one.unknown.uncertainty, text]))
     return [cells for _, cells in sorted(rows, key=lambda entry: -entry[0])]
+
+
+def law_rows(compared: LawComparison) -> Rows:
+    """Models with what each predicts of impacts left out, and its values."""
+    rows: Rows = []
+    for k, one in enumerate(compared.models):
+        less, error = compared.behind(k)
+        names = short_names([name for name, _, _ in one.estimates])
+        values = "; ".join(
+            f"{name} {value_text(value, unit)}"
+            for name, (_, value, unit) in zip(names, one.estimates, strict=True)
+        )
+        if one.problem:
+            rows.append([one.name, None, None, one.problem])
+            continue
+        behind = "best" if k == 0 else f"{less:.3g} ± {error:.2g}"
+        rows.append([one.name, behind, f"{one.contact:.2g}", values])
+    return rows
 
 
 def experiment_rows(further: ExperimentPlan) -> Rows:

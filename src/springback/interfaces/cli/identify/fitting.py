@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -16,6 +17,8 @@ if TYPE_CHECKING:
     from springback.identification.design.coverage import Coverage
     from springback.identification.design.experiments import ExperimentPlan
     from springback.identification.fits import FitResult
+    from springback.identification.law_comparison import LawComparison
+    from springback.identification.report.assumptions import Assumption
 
 #: Cover of a 95 % interval below which it is too narrow.
 LEAST = 0.9
@@ -37,6 +40,8 @@ def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
     springback fly scenario.toml --with fitted/identified.toml --out results
     """
     from springback.identification.fits import fit as carry_out
+    from springback.identification.law_comparison import compare_laws
+    from springback.identification.report.assumptions import assumptions
     from springback.identification.results_files import (
         IDENTIFIED,
         POSTERIOR,
@@ -45,13 +50,16 @@ def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
         as_data,
         write_files,
     )
-    from springback.identification.settings import read_fit_plan
+    from springback.identification.settings import naming_places, read_fit_plan
 
     ready = read_fit_plan(plan, overrides)
-    with output.folder((IDENTIFIED, POSTERIOR, SUMMARY, REPORT)) as folder:
+    with naming_places(plan), output.folder((IDENTIFIED, POSTERIOR, SUMMARY, REPORT)) as folder:
         with output.progress_bar("fitting") as progress:
             result = carry_out(ready, plan.parent, progress=progress)
-        written, data, text = write_files(result, folder), as_data(result), fit_text(result)
+        with output.progress_bar("comparing laws") as progress:
+            compared = compare_laws(result, progress=progress)
+        written, data = write_files(result, folder, compared), as_data(result, compared)
+        text = fit_text(result, compared, assumptions(result.fits))
         if output.wants_figures():
             from springback.identification.design.experiments import plan_experiments
             from springback.interfaces.reports.fit_page import write_report
@@ -61,15 +69,26 @@ def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
                     further = plan_experiments(ready, plan.parent, fits=result.fits)
                 except InputError:  # the scenario's start hits nothing: the logs tell the start
                     further = None
-                written.append(write_report(result, folder, further))
+                written.append(write_report(result, folder, further, compared))
     output.print(data, text)
     output.note_written(written)
     if not result.is_informative:
         sys.exit(1)
 
 
-def fit_text(result: FitResult) -> str:
-    """A fit on the terminal: the answer first."""
+def fit_text(
+    result: FitResult,
+    compared: LawComparison | None = None,
+    assumed: Sequence[Assumption] = (),
+) -> str:
+    """A fit on the terminal: the answer first.
+
+    Args:
+        result: The fit.
+        compared: Laws, by impacts left out.
+        assumed: Fields that were taken as exact.
+    """
+    from springback.identification.report.assumptions import assumption_sentences
     from springback.identification.wording import estimate_sentence
 
     free = [one for one in result.estimates if one.unknown.role == "free"]
@@ -78,6 +97,11 @@ def fit_text(result: FitResult) -> str:
     lines += [f"  {estimate_sentence(one)}" for one in free]
     if result.sentences:
         lines += ["", *result.sentences]
+    if assumed:
+        lines += ["", "assumed exactly:"]
+        lines += [f"  {text}" for text in assumption_sentences(assumed, result.estimates)]
+    if compared is not None:
+        lines += ["", "laws compared:", *(f"  {text}" for text in compared.sentences)]
     lines += [f"not used: {reason}" for reason in result.refused]
     seconds = sum(fit.seconds for fit in result.fits)
     flights = sum(fit.problem.flown for fit in result.fits)
@@ -102,10 +126,11 @@ def check(plan: Path, overrides: tuple[str, ...], sets: int, terminal: Terminal)
     springback identify check fit.toml --sets 1000 --json
     """
     from springback.identification.design.coverage import check_coverage
-    from springback.identification.settings import read_fit_plan
+    from springback.identification.settings import naming_places, read_fit_plan
 
     ready = read_fit_plan(plan, overrides)
-    with terminal.progress_bar("flying and fitting synthetic sets") as progress:
+    progress_bar = terminal.progress_bar("flying and fitting synthetic sets")
+    with naming_places(plan), progress_bar as progress:
         found = check_coverage(ready, plan.parent, sets=sets, progress=progress)
     data = found._asdict() | {
         "fields": [one._asdict() | {"share": one.share} for one in found.fields]
@@ -152,10 +177,10 @@ def plan_tests(plan: Path, overrides: tuple[str, ...], terminal: Terminal) -> No
     """
     from springback.identification.design.experiments import plan_experiments
     from springback.identification.fits import fit as carry_out
-    from springback.identification.settings import read_fit_plan
+    from springback.identification.settings import naming_places, read_fit_plan
 
     ready = read_fit_plan(plan, overrides)
-    with terminal.progress_bar("weighing tests") as progress:
+    with naming_places(plan), terminal.progress_bar("weighing tests") as progress:
         fits = carry_out(ready, plan.parent).fits if ready.flights else ()
         found = plan_experiments(ready, plan.parent, fits=fits, progress=progress)
     data = found._asdict() | {
@@ -180,7 +205,7 @@ def experiments_text(found: ExperimentPlan) -> str:
     rows += [row(f"{k}. {one.name}", one.half_widths)
              for k, one in enumerate(found.chosen, start=1)]  # fmt: skip
     sizes = [max(len(one[k]) for one in rows) for k in range(len(rows[0]))]
-    lines = [found.sentence, ""]
+    lines = [found.sentence, *found.untold, ""]
     for name, *cells in rows:
         aligned = (f"{cell:>{size}}" for cell, size in zip(cells, sizes[1:], strict=True))
         lines.append("  ".join([f"{name:{sizes[0]}}", *aligned]))

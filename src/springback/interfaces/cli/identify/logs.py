@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -82,12 +83,17 @@ def inspect(
     springback identify inspect flight.ulg take.csv --world y-up
     springback identify inspect table.toml --from 12 --until 20
     """
+    from springback.logs.axes_options import axes_options
     from springback.logs.overview import as_data, overview
 
     recordings = recordings_of(logs, first=first, last=last, world=world, body=body)
     with terminal.spinner("comparing the channels"):
         found = overview(recordings)
-    terminal.print(as_data(found), _overview_text(found))
+        options = axes_options(recordings, world, body)
+    text = _overview_text(found)
+    if options:
+        text += f"\n\nall findings pass with {options}"
+    terminal.print(as_data(found) | {"axes_options": options or None}, text)
 
 
 @identify.command()
@@ -204,6 +210,13 @@ def _channel_lines(found: Overview) -> list[str]:
 
 def _impact_text(one: LogImpact) -> str:
     words = [f"at {one.touch:.4f} s for {1e3 * (one.release - one.touch):.1f} ms"]
+    if one.velocity is not None:
+        words.append(f"{math.hypot(*one.velocity):.2f} m/s before it")
+    if one.attitude is not None:
+        roll, pitch, yaw = (math.degrees(angle) for angle in one.attitude)
+        words.append(f"roll {roll:+.0f}, pitch {pitch:+.0f}, yaw {yaw:+.0f} deg")
+    if one.pressed is not None:
+        words.append(f"arm {one.pressed[0]} pressed most, by {1e3 * one.pressed[1]:.1f} mm")
     if one.peak == one.peak:
         words.append(f"peak {one.peak:.4g} m/s^2")
     if one.clipped:
