@@ -172,7 +172,7 @@ def _together(
     )
 
 
-class DepthForce(NamedTuple):
+class PressedForce(NamedTuple):
     """Force of a surface at one depth, which data tell better than stiffness and exponent apart."""
 
     name: str  # path of the surface
@@ -181,14 +181,14 @@ class DepthForce(NamedTuple):
     high: float
 
 
-def depth_forces(fits: Sequence[ImpactFit], *, scatter: bool) -> list[DepthForce]:
+def depth_forces(fits: Sequence[ImpactFit], *, scatter: bool) -> list[PressedForce]:
     """Forces k δⁿ at `DEPTH` of surfaces of which stiffness and exponent are both free.
 
     Args:
         fits: Of all impacts.
         scatter: True: values may differ from impact to impact.
     """
-    fields, found = fits[0].problem.fields, list[DepthForce]()
+    fields, found = fits[0].problem.fields, list[PressedForce]()
     place = {one.name: k for k, one in enumerate(fields) if one.role == "free"}
     for name, k in place.items():
         surface = name.removesuffix(".stiffness")
@@ -213,7 +213,7 @@ def depth_forces(fits: Sequence[ImpactFit], *, scatter: bool) -> list[DepthForce
             shared = _shared_numbers(fits)
             together = _together(weights, fits, shared, scatter, np.ones(len(fits)))
             ends = together.value, together.low, together.high
-        found.append(DepthForce(surface, *(float(np.exp(rest + end)) for end in ends)))
+        found.append(PressedForce(surface, *(float(np.exp(rest + end)) for end in ends)))
     return found
 
 
