@@ -9,12 +9,19 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import numba
 import pytest
 
 from builders.missing import needs
 from springback.errors import CacheWarning
 from springback.kernels import kernel_cache
-from springback.kernels.compiler import STRICT, _entry, compiler_target, packaged_kinds
+from springback.kernels.compiler import (
+    STRICT,
+    _entry,
+    compiler_target,
+    is_in_cache,
+    packaged_kinds,
+)
 from springback.kernels.packaged import manifest
 from springback.kernels.packaged.manifest import (
     MANIFEST,
@@ -74,6 +81,16 @@ def test_a_packaged_kernel_is_loaded_and_nothing_written(
         assert flown(tmp_path) == (True, 0)
     assert not (tmp_path / "own").exists()
     assert status_text(SOURCE, compiler_target()) == f"1 for {level.target[1]}, used"
+
+
+def test_no_second_process_is_started_for_what_is_packaged(
+    tmp_path: Path, level: PackagedKernels
+) -> None:
+    """A flight with a pilot has two processes compile it, unless it need not be compiled."""
+    entry, types = _entry(doubled, tmp_path / "own", STRICT, SOURCE), (numba.float64,)
+    assert is_in_cache(entry, types)
+    rewritten(level, source="another")
+    assert not is_in_cache(entry, types)
 
 
 def test_ones_own_kernel_comes_first(tmp_path: Path, level: PackagedKernels) -> None:
