@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from builders import joint_crafts
-from builders.joint_crafts import BODY, NO_WALL
+from builders.joint_crafts import BODY, NO_WALL, before_a_wall
 from oracles import models
 from oracles.bent_limbs import drawn
 from oracles.joint_lagrangian import Craft, Limb, Pose
@@ -127,14 +127,4 @@ def vehicle(name: str, seed: int) -> tuple[Craft, Pose]:
 
 def impact(name: str, seed: int) -> tuple[Craft, Pose, models.Scene]:
     """A vehicle 10 µm from a tilted wall, which it meets at some 2 m/s."""
-    craft, start = vehicle(name, seed)
-    into = np.array([0.9, 0.3, 0.2]) / math.sqrt(0.94)
-    start = replace(start, velocity=2.0 * into + [0.1, 0.5, -0.4], omega=np.array([1.5, -3.0, 4.0]))
-    start = replace(start, bends=0.0 * start.bends)
-    reach = []
-    for limb in craft.limbs:
-        flat = start.rotation.T @ into
-        circle = limb.cage_radius * math.hypot(flat[0], flat[1])
-        reach.append(into @ (start.position + start.rotation @ limb.end) + circle)
-    wall = models.Wall(-into, -max(reach) - 1e-5)
-    return craft, start, models.Scene(models.compliant_craft(), wall, ())
+    return before_a_wall(*vehicle(name, seed))

@@ -210,7 +210,16 @@ def vehicle(name: str, seed: int) -> tuple[Craft, Pose]:
 
 def impact(name: str, seed: int) -> tuple[Craft, Pose, models.Scene]:
     """A vehicle 10 µm from a tilted wall, which it meets at some 2 m/s."""
-    craft, start = vehicle(name, seed)
+    return before_a_wall(*vehicle(name, seed))
+
+
+def before_a_wall(craft: Craft, start: Pose) -> tuple[Craft, Pose, models.Scene]:
+    """A vehicle 10 µm from a tilted wall, which it meets at some 2 m/s.
+
+    Args:
+        craft: With arms of one joint or of two.
+        start: Its attitude and position count.
+    """
     into = np.array([0.9, 0.3, 0.2]) / math.sqrt(0.94)
     start = replace(start, velocity=2.0 * into + [0.1, 0.5, -0.4], omega=np.array([1.5, -3.0, 4.0]))
     start = replace(start, bends=0.0 * start.bends)

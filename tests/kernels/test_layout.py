@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.layout import TreeLayout, load, store, zeros
+from springback.kernels.layout import TreeLayout, load, read, store, write, zeros
 from springback.kernels.vectors import Vec
 
 
@@ -42,6 +42,22 @@ def test_the_same_when_compiled() -> None:
     buffer = np.arange(12.0)
     assert moved(TreeLayout(TREE), buffer) == 11.0
     assert buffer[5::2].tolist() == [10.0, 14.0, 18.0, 11.0]
+
+
+@pytest.mark.parametrize(("width", "lane"), [(1, 0), (3, 0), (3, 2)])
+def test_a_tree_at_a_row_is_read_and_written_alike_compiled_and_not(width: int, lane: int) -> None:
+    def moved(like: TreeLayout, buffer: np.ndarray, row: int, width: int, lane: int) -> None:
+        write(read(like, buffer, row, width, lane), buffer, row + 7, width, lane)
+
+    plain = np.arange(16.0 * width)
+    compiled = plain.copy()
+    moved(TreeLayout(TREE), plain, 2, width, lane)
+    numba.njit(moved)(TreeLayout(TREE), compiled, 2, width, lane)
+    assert plain.tolist() == compiled.tolist()
+    assert (
+        plain[9 * width + lane :: width][:6].tolist()
+        == plain[2 * width + lane :: width][:6].tolist()
+    )
 
 
 @generic
