@@ -118,7 +118,7 @@ def test_own_obstacle_stays_out_of_the_kernels_on_disk() -> None:
     """Kernels kept on disk must load where the user's module is unknown, and follow its edits."""
     fly_one(towards(OWN["pole"]), approaching(2.0, 1e-3))
     for index in nonempty(cache_folder().rglob("*.kernel")):
-        assert b"builders" not in index.read_bytes()
+        assert b"user_obstacles" not in index.read_bytes()
 
 
 def test_body_axes_change_neither_distance_nor_normal() -> None:
