@@ -223,7 +223,9 @@ class Reader:
             read_plan(plan)
             return
         tables = tomllib.loads(this.text)
-        if tables.keys() & {"free", "known"} or "accelerometer" in tables.get("sensors", {}):
+        if tables.keys() & {"free", "known", "compare"} or "accelerometer" in tables.get(
+            "sensors", {}
+        ):
             FitPlan.model_validate(
                 {"scenario": "a.toml", "free": {"start.roll": "+- 1 deg"}} | tables
             )

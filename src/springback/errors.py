@@ -27,7 +27,7 @@ class CommandWarning(FlightWarning):
 
 
 class ContactWarning(FlightWarning):
-    """A contact came as deep as the middle of a mesh or grid, where the other side is as near."""
+    """A contact came as deep as the middle of what it met, where the other side is as near."""
 
 
 class InputError(ValueError):

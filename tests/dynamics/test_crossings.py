@@ -8,7 +8,7 @@ import pytest
 
 from springback.contact.cage import LANDED
 from springback.dynamics.crossing import NO_CROSSING, crossing, sooner, soonest, time_to
-from springback.dynamics.stops import AHEAD, GRAZED, end_stop, next_stop
+from springback.dynamics.stops import AHEAD, APPROACH, GRAZED, SUDDEN, end_stop, next_stop
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.state import Arm
 
@@ -37,14 +37,20 @@ def arm() -> Arm:
 
 
 def test_an_arm_reaches_the_stop_that_it_moves_to(arm: Arm) -> None:
-    """Between its stops the one ahead; beyond one of them, that one again on its way back."""
+    """Between its stops the one ahead; beyond one of them, that one again on its way back.
+
+    In two steps: what begins there is stiff, and must not begin within one.
+    """
     shortest, free = arm.shortest, arm.length
     middle = 0.5 * (shortest + free)
     for length, rate, at in (
         (middle, 2.0, free), (middle, -2.0, shortest),
         (free + 1e-3, -2.0, free), (shortest - 1e-3, 2.0, shortest),
     ):  # fmt: skip
-        assert time_to(next_stop(arm, length, rate)) == pytest.approx(abs(at - length) / 2.0)
+        expected = APPROACH * abs(at - length) / 2.0
+        assert time_to(next_stop(arm, length, rate)) == pytest.approx(expected)
+        near = at + math.copysign(GRAZED, length - at)
+        assert time_to(next_stop(arm, near, rate)) == pytest.approx(GRAZED / 2.0, rel=1e-6)
     for length, rate in ((free + 1e-3, 2.0), (shortest - 1e-3, -2.0)):
         assert time_to(next_stop(arm, length, rate)) == NO_CROSSING
 
@@ -54,19 +60,22 @@ def test_an_arm_reaches_the_stop_that_it_moves_to(arm: Arm) -> None:
 def test_a_stop_pushes_back_and_its_stiffness_and_damper_are_the_forces_slopes(
     arm: Arm, upper: bool, rate: float
 ) -> None:
-    """By finite differences; its heat is damping force times rate, and never negative."""
+    """By finite differences, its damper where the arm will be; its heat is what damping takes."""
     length = arm.length + 1e-3 if upper else arm.shortest - 1e-3
     stop = end_stop(arm, length, rate)
     assert math.copysign(1.0, stop.force) == (-1.0 if upper else 1.0)
     assert stop.loss >= 0.0
-    h = 1e-6
-    damper = (end_stop(arm, length, rate - h).force - end_stop(arm, length, rate + h).force) / (
-        2 * h
-    )
-    assert stop.damper == pytest.approx(damper, rel=1e-6)
-    stiff = (end_stop(arm, length - h, 0.0).force - end_stop(arm, length + h, 0.0).force) / (2 * h)
-    assert stop.stiffness == pytest.approx(stiff, rel=1e-6)
-    assert stop.loss == pytest.approx(stop.damper * rate * rate, rel=1e-9)
+    h, ahead = 1e-6, math.copysign(AHEAD * rate, 1.0 if upper else -1.0)
+
+    def damper(at: float) -> float:
+        slower, faster = end_stop(arm, at, rate - h).force, end_stop(arm, at, rate + h).force
+        return (slower - faster) / (2 * h)
+
+    assert stop.damper == pytest.approx(damper(length + ahead), rel=1e-6)
+    pressing = rate if (rate > 0.0) == upper else 0.0  # coming out it is softer
+    back, on = (end_stop(arm, length + by, pressing).force for by in (-h, h))
+    assert stop.stiffness == pytest.approx(SUDDEN * (back - on) / (2 * h), rel=1e-6)
+    assert stop.loss == pytest.approx(damper(length) * rate * rate, rel=1e-6)
 
 
 def test_a_stop_is_stiff_a_moment_before_it_is_reached(arm: Arm) -> None:
@@ -74,7 +83,8 @@ def test_a_stop_is_stiff_a_moment_before_it_is_reached(arm: Arm) -> None:
     for at, towards in ((arm.length, 1.0), (arm.shortest, -1.0)):
         before = at - towards * 1e-5
         soon = towards * (1e-5 + 10.0 * GRAZED) / AHEAD
-        assert end_stop(arm, before, soon).stiffness == arm.stop_stiffness
+        slope = arm.stop_stiffness * (1.0 + arm.stop_dissipation * abs(soon))
+        assert end_stop(arm, before, soon).stiffness == pytest.approx(SUDDEN * slope)
         assert end_stop(arm, before, soon).force == 0.0
         grazing = towards * (1e-5 + 0.1 * GRAZED) / AHEAD
         for rate in (grazing, 0.0, -soon):

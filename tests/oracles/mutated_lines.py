@@ -18,6 +18,7 @@ CHARACTER = ("recovery/test_characterisation.py", "leaning or tangent or taken")
 #: Of hulls of all kinds: distances by the routine, and two surfaces in series.
 HULLS = ("contact/test_hull_distances.py", "dense_samples and (box or pole or window)")
 SERIES = ("contact/test_series.py", "")
+STOPPED = ("simulation/test_stops_fly.py", "xplorer-constant")
 REMEMBERS = ("contact/test_hysteresis.py", "")
 GRIP = ("contact/test_step_bounds.py contact/test_hull.py", "bound or truth or rate")
 REST = ("simulation/test_rest.py", "coulombs or creep_however or never_pull")
@@ -76,7 +77,7 @@ ARMS, JOINED, JOINTS = (
 )
 NEIGHBOURS, SHELL = "vehicle/arms/neighbours.py", "dynamics/limbs/shell.py"
 LOADS = "contact/loads.py"
-BRISTLES = "contact/laws/bristles.py"
+BRISTLES, MEMORY = "contact/laws/bristles.py", "contact/laws/memory.py"
 REMEMBERING, CURVES = "contact/laws/hysteresis.py", "vehicle/force_curves.py"
 STATE, ENERGY, VECTORS = "vehicle/state.py", "dynamics/energy.py", "kernels/vectors.py"
 OBSTACLES, STOPS, SOLUTION = "contact/obstacles.py", "dynamics/stops.py", "dynamics/solution.py"
@@ -137,6 +138,8 @@ MUTATED_LINES = (
     # laws that remember
     Mutation("what comes out, its integral", REMEMBERING, "share * w / (1.0 + law.shape)", "share * w", REMEMBERS),
     Mutation("all is returned", REMEMBERING, "return 1.0 / (1.0 + law.shape)", "return 1.0", REMEMBERS),
+    Mutation("coming deeper costs what is returned", REMEMBERING, "renewed * (1.0 - _returned", "renewed * (_returned", REMEMBERS),
+    Mutation("coming deeper heats, sign", MEMORY, "so_far + point.lost", "so_far - point.lost", STOPPED),
     Mutation("steps do not know what comes out", REMEMBERING, "_steepest_share(law) * there.force", "0.0 * there.force", REMEMBERS),
     Mutation("the deepest contact, not the nearest", REMEMBERING, "(square < best.square)", "(point.depth > best.depth)", REMEMBERS),
     Mutation("normals do not tell contacts apart", REMEMBERING, "NEAR, ALIGNED = 0.01, 0.7", "NEAR, ALIGNED = 0.01, -1.0", REMEMBERS),
@@ -312,7 +315,7 @@ MUTATED_LINES = (
     Mutation("peak, of stale instants", RECORD, "Recent(select(smooth, now.step, 0.0), m.recent.latest, sample)", "Recent(select(smooth, now.step, 0.0), sample, m.recent.latest)", PEAK),
     # stops, as steps see them
     Mutation("stop ahead unseen", STOPS, "(shift != 0.0) | soon", "shift != 0.0", CROSSINGS),
-    Mutation("stop's damper, sign", STOPS, "damper = arm.stop_dissipation * abs", "damper = -arm.stop_dissipation * abs", CROSSINGS),
+    Mutation("stop's damper, sign", STOPS, "damper = arm.stop_dissipation * arm", "damper = -arm.stop_dissipation * arm", CROSSINGS),
     # bounds of friction
     Mutation("grip, about z", GRIPS, "g * (pn * pn + out * square)", "g * (out * square)", GRIP),
     Mutation("grip, about x", GRIPS, "upright * point.y * point.y", "upright * point.x * point.x", GRIP),

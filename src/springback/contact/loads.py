@@ -24,7 +24,12 @@ from springback.contact.laws.bristles import (
     friction_by_bristles,
     rolling_resistance,
 )
-from springback.contact.laws.hysteresis import Pressing, force_of, hysteretic_load
+from springback.contact.laws.hysteresis import (
+    Pressing,
+    force_of,
+    hysteretic_load,
+    share_of_loss,
+)
 from springback.contact.laws.step_bounds import (
     ContactStiffness,
     FrictionDamping,
@@ -159,6 +164,7 @@ def face_load(
     with_memory = tree_map(hysteretic_load, (memory.pressed,), (elastic, pressing))
     pressed = fold(force_of, elastic, with_memory, ())
     pressed = fold(share_of_force, pressed, memory.stiffness, ())
+    points = fold(share_of_loss, field_of(with_memory, "point"), memory.stiffness, ())
     slip = slip_velocity(surface, sliding + (omega ^ rubbing_at), n, body.vertical)
     f_n = pressed.force * steepness
     at_contact = Rubbing(surface, f_n, n, slip, omega, body.r, body.vertical)
@@ -187,7 +193,7 @@ def face_load(
         press,
     )
     bristles = tree_map(bristle_rate, (memory.bristles,), (at_contact, face.moving))
-    return LoadOfFace(touch, rubbed.per_speed, bristles, field_of(with_memory, "point"))
+    return LoadOfFace(touch, rubbed.per_speed, bristles, points)
 
 
 @kernel

@@ -263,7 +263,7 @@ def fly(
 
     Warns:
         LedgerWarning: If the energy ledger does not close to 1e-4.
-        ContactWarning: If a contact came as deep as the middle of a mesh or grid.
+        ContactWarning: If a contact came as deep as the middle of what it met.
         CommandWarning: If a pilot commands less than 0 N of a rotor and telemetry is recorded.
 
     Raises:

@@ -13,7 +13,12 @@ from typing import Any, NamedTuple
 
 from springback.contact.cage import moving_bodies
 from springback.contact.hull_contact import arm_flags, hull_flags
-from springback.contact.laws.memory import arm_memory, hull_memory, memory_after
+from springback.contact.laws.memory import (
+    arm_memory,
+    energy_lost_deeper,
+    hull_memory,
+    memory_after,
+)
 from springback.contact.obstacles import World
 from springback.dynamics.crossing import NO_CROSSING, Crossing
 from springback.dynamics.limbs.arms import ArmView
@@ -94,6 +99,7 @@ def rates_within(model: Model, state: State, phase: float, engaged: Engaged) -> 
 def begin_step(shape: TreeLayout, b: Buffer, w: int) -> None:
     """Begin a step of each lane: its first stage, the record, and the length of the step."""
     at = places(shape, w)
+    heat = row_of(shape.motion, "work") + row_of(shape.motion.work, "contact")
     for i in range(w):
         model = read(shape.model, b, 0, w, i)
         motion = read(shape.motion, b, at.motion, w, i)
@@ -106,6 +112,7 @@ def begin_step(shape: TreeLayout, b: Buffer, w: int) -> None:
         write(record_with_loads(model, motion, known, record, search), b, at.record, w, i)
         memory = memory_after(motion.state.memory, seen.arms, seen.hull)
         write(memory, b, at.motion + row_of(shape.motion.state, "memory"), w, i)
+        b[(at.motion + heat) * w + i] += energy_lost_deeper(memory)
         write(known.motion.state, b, at.rate, w, i)
         write(known.motion, b, at.total, w, i)
         if w == 1:  # only a single flight is logged

@@ -180,7 +180,14 @@ def states_at(model: Model, columns: Mapping[str, Array], places: Places | slice
     bodies = moving_bodies(model.world.obstacles)
     moving = [_body_states(body, columns, places, len(states)) for body in bodies]
     kept = memory_columns(model_state(model).memory)
-    held = [np.stack([columns[name][places] for name in kept], axis=1)] if kept else []
+    # What a step lost changes nothing after it; flights of earlier versions were stored without.
+    rows = [
+        0.0 * columns["t"][places]
+        if name.endswith("_lost") and name not in columns
+        else columns[name][places]
+        for name in kept
+    ]
+    held = [np.stack(rows, axis=1)] if rows else []
     bent = bend_columns(len(model_state(model).bends))
     bends = [np.stack([columns[name][places] for name in bent], axis=1)] if bent else []
     return np.concatenate([states, *moving, *held, *bends], axis=1)
@@ -231,6 +238,7 @@ def memory_columns(memory: Any) -> dict[str, tuple[str, str]]:
                     found[f"pressed{point}_n{axis}"] = (f"{at}.inward.{axis}", "1")
                 found[f"pressed{point}_depth"] = (f"{at}.depth", "m")
                 found[f"pressed{point}_crushed"] = (f"{at}.crushed", "m")
+                found[f"pressed{point}_lost"] = (f"{at}.lost", "J")
         for axis in "xyz" if kept.spin else "":
             found[f"shell_w{axis}"] = (f"{stem}.spin.1.{axis}", "rad/s")
         for _ in kept.stiffness:

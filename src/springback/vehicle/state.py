@@ -218,6 +218,7 @@ class PressedPoint(NamedTuple):
     inward: Vec  # unit normal into the obstacle
     depth: float  # the deepest so far [m]; 0: nothing touches
     crushed: float  # the same where the surface does not recover, else 0 [m]
+    lost: float = 0.0  # energy that the last step cost by coming deeper [J]
 
 
 class PressedPoints(NamedTuple):

@@ -7,6 +7,9 @@ so one mass bounces from a rigid wall with the same restitution at any speed, e�
 1/(1 + s).  Of the same kind are models of foams in crash simulation
 (`springback.vehicle.force_curves`).
 
+What is not returned is lost where a contact comes deeper than before: the heat of a step is the
+change of (1 − e²) W(deepest), not an integral over its stages, as its power jumps there.
+
 Each part of a vehicle remembers the contacts of the last step, by place and normal in body axes;
 one that is let go is forgotten, unless its surface does not recover.
 """
@@ -26,7 +29,7 @@ from springback.contact.surfaces import (
 )
 from springback.kernels.compiler import kernel
 from springback.kernels.routines import number_at
-from springback.kernels.trees import field_of, fold, maximum
+from springback.kernels.trees import field_of, fold, maximum, replace, tree_map
 from springback.kernels.vectors import Vec, larger, positive_part
 from springback.vehicle.force_curves import (
     COUNT_OUT,
@@ -85,9 +88,14 @@ def deepest_depth(
         inward: Unit normal into the obstacle, body axes.
         depth: The present depth δ > 0 [m].
     """
+    return larger(_deepest_before(memory, law, place, inward), depth)
+
+
+@kernel
+def _deepest_before(memory: PressedPoints, law: Hysteresis, place: Vec, inward: Vec) -> float:
+    """As `deepest_depth`, up to the last step; 0 of a contact that is new."""
     found = fold(_nearer, _Nearest(NEAR * NEAR, 0.0), memory.points, (place, inward))
-    before = larger(found.depth, memory.crushed if law.stays > 0.0 else 0.0)
-    return larger(before, depth)
+    return larger(found.depth, memory.crushed if law.stays > 0.0 else 0.0)
 
 
 @kernel
@@ -143,33 +151,35 @@ class HystereticLoad(NamedTuple):
 def _remembering(law: Hysteresis, memory: PressedPoints, at: Pressing) -> HystereticLoad:
     """Load of a contact that is pressed in."""
     d, b, rate = at.surface.dissipation, at.surface.viscosity, at.rate
-    deepest = deepest_depth(memory, law, at.place, at.inward, at.depth)
+    before = _deepest_before(memory, law, at.place, at.inward)
+    deepest = larger(before, at.depth)
     now = _first_time(at.surface, law, at.depth)
     most = _first_time(at.surface, law, deepest)
+    renewed = most.energy - _first_time(at.surface, law, before).energy
     soon = _first_time(at.surface, law, deepest + at.ahead)
     # A step ends where it was deepest, to within rounding: then it goes in for the first time.
     is_first = at.depth >= deepest - (LANDED if rate > 0.0 else 0.0)
     share = 1.0 if is_first else _share_at(law, now.energy / (most.energy + TINY)).share
     elastic = now.force * share
-    stored = now.force * _returned_in_all(law) if is_first else elastic
     force = positive_part(elastic + (d * elastic + b) * rate)
     steep = larger(_slope_coming_out(law, now), _slope_coming_out(law, most))
     steep = larger(steep, soon.slope)
     pressed = NormalForce(
         force,
-        (force - stored) * rate,
+        (force - elastic) * rate,
         steep * (1.0 + d * positive_part(rate)),
         d * soon.force + b,
     )
     crushed = deepest if law.stays > 0.0 else 0.0
-    return HystereticLoad(pressed, PressedPoint(at.place, at.inward, deepest, crushed))
+    lost = renewed * (1.0 - _returned_in_all(law))
+    return HystereticLoad(pressed, PressedPoint(at.place, at.inward, deepest, crushed, lost))
 
 
 @kernel
 def no_point() -> PressedPoint:
     """No contact to remember."""
     none = Vec(0.0, 0.0, 0.0)
-    return PressedPoint(none, none, 0.0, 0.0)
+    return PressedPoint(none, none, 0.0, 0.0, 0.0)
 
 
 @kernel
@@ -198,6 +208,17 @@ def hysteretic_load(memory: PressedPoints, elastic: NormalForce, at: Pressing) -
 def force_of(so_far: NormalForce, load: HystereticLoad) -> NormalForce:
     """Normal force of a contact whose part has a memory; for `fold`."""
     return load.force
+
+
+@kernel
+def _share_of_point(point: PressedPoint, share: float) -> PressedPoint:
+    return replace(point, lost=share * point.lost)
+
+
+@kernel
+def share_of_loss(points: tuple[PressedPoint, ...], share: float) -> tuple[PressedPoint, ...]:
+    """Contacts of a part that has a share of its stiffness left; for `fold`."""
+    return tree_map(_share_of_point, (points,), (share,))
 
 
 @kernel

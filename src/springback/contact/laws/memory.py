@@ -236,3 +236,34 @@ def _vehicle_after(
         tree_map(_part_after, (memory.arms, arms), ()),
         tree_map(_part_after, (memory.hull, hull), ()),
     )
+
+
+@kernel
+def _of_point(so_far: float, point: PressedPoint) -> float:
+    return so_far + point.lost
+
+
+@kernel
+def _of_pressed(so_far: float, pressed: PressedPoints) -> float:
+    return fold(_of_point, so_far, pressed.points, ())
+
+
+@kernel
+def _with_part(so_far: float, memory: PartMemory) -> float:
+    return fold(_of_pressed, so_far, memory.pressed, ())
+
+
+@generic
+def energy_lost_deeper(memory: Any) -> float:
+    """Energy that the contacts of a vehicle lost by coming deeper in the last step [J].
+
+    Args:
+        memory: By `memory_after` that step.
+    """
+    return 0.0
+
+
+@energy_lost_deeper.register(VehicleMemory)
+@kernel
+def _vehicle_lost(memory: VehicleMemory) -> float:
+    return fold(_with_part, 0.0, memory.arms + memory.hull, ())
