@@ -58,6 +58,7 @@ def test_the_estimate_is_continuous_where_damping_is_critical() -> None:
 def test_numbers_of_the_arms_and_masses() -> None:
     assert number("mass") == pytest.approx(0.55 + 4 * 0.04)
     assert number("inertia about z") == pytest.approx(2.6e-3 + 4 * 0.04 * 0.16**2)
+    assert number("inertia share") == pytest.approx(2.6e-3 / (0.55 * 0.25**2))
     assert number("natural frequency") == pytest.approx(math.sqrt(3000 / 0.04) / math.tau)
     assert number("damping ratio") == pytest.approx(60 / (2 * math.sqrt(3000 * 0.04)))
     assert number("hover thrust share") == pytest.approx(0.71 * 9.81 / 16.8)
@@ -95,6 +96,8 @@ def test_the_force_along_an_arm_is_less_by_what_friction_holds() -> None:
         (["start.yaw=0"], "it hardly slides"),
         (["start.velocity.0=6"], "the stroke of arm 2 is used up, by an estimate from 4.98 m/s"),
         (["vehicle.propulsion.max_thrust=2.2"], "hover takes 79.1 %"),
+        (["vehicle.body.inertia=[0.1, 0.1, 0.19]"], "is 5.53 times the mass and the square"),
+        (["vehicle.body.inertia=[1e-4, 1e-4, 1e-4]"], "is 0.00291 times the mass and the square"),
         (
             ["reference.type=run-up", "reference.speed=2", "start.position=[0, 0, 1]",
              "start.velocity=[0, 0, 0]"],

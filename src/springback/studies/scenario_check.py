@@ -24,6 +24,9 @@ from springback.vehicle.placed.balance import hover_balance
 MOST_HOVER = 0.7
 #: Share of the weight that pushes sideways in hover, worth a warning (chosen: a lean of 1.1°).
 MOST_ASIDE = 0.02
+#: Share of the mass times the square of the reach that the largest moment of inertia seldom leaves
+#: (chosen: 0.07 to 0.30 in the library, 0.02 of a hexarotor with its battery in the middle).
+INERTIA_SHARES = (0.01, 0.5)
 #: Share of a wall's force along an arm below which its spring hardly works (chosen).
 LEAST_ALONG = 0.5
 #: Distance between a wall and the one that a run-up is planned to, which is worth a warning
@@ -110,6 +113,10 @@ def _masses(scenario: Scenario) -> Iterator[ScenarioQuantity]:
     for axis, moment in zip("xyz", vehicle.inertia().diagonal(), strict=True):
         about = "about the body's centre, arms at their free length"
         yield ScenarioQuantity(f"inertia about {axis}", float(moment), "kg m^2", about)
+    yield ScenarioQuantity(
+        "inertia share", inertia_share(vehicle), "", "largest moment of the main body over its "
+        "mass and the square of the distance to the farthest cage or hull",
+    )  # fmt: skip
     if vehicle.body.measured is not None:  # as read from a file
         for axis, place in zip("xyz", vehicle.body.measured.centre, strict=True):
             yield ScenarioQuantity(
@@ -145,6 +152,12 @@ def _of_listed_rotors(vehicle: Vehicle) -> Iterator[ScenarioQuantity]:
         "hover lever", max(found.tilting, found.turning), "m", f"of the weight, {about}: 0 if they "
         "turn the vehicle about no axis",
     )  # fmt: skip
+
+
+def inertia_share(vehicle: Vehicle) -> float:
+    """Largest moment of inertia of the main body over its mass times its reach squared."""
+    largest = np.linalg.eigvalsh(np.array(vehicle.body.inertia))[-1]
+    return float(largest / (vehicle.body.mass * vehicle.reach() ** 2))
 
 
 def hover_share(scenario: Scenario) -> float:
@@ -296,6 +309,13 @@ def _vehicle_warnings(scenario: Scenario) -> Iterator[str]:
                 f"it must lean by {degrees(math.atan(aside)):.3g} deg, and pilots of springback's "
                 "hold it level, off its place"
             )
+    least, most = INERTIA_SHARES
+    if not least <= (found := inertia_share(vehicle)) <= most:
+        yield (
+            f"the largest moment of inertia is {found:.3g} times the mass and the square of the "
+            f"distance to the farthest cage or hull, {vehicle.reach():.3g} m; most robots have "
+            f"{least:g} to {most:g}: are mass, inertia and size in the units that they say?"
+        )
     wall, reference = _first_wall(scenario), scenario.reference
     if wall is not None and isinstance(reference, RunUpSettings):
         face = wall.plane()
