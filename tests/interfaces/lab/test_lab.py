@@ -43,6 +43,7 @@ from springback.paper.printed import TABLE_III
 from springback.paper.slider import QUAD, READINGS, fitted_dissipation, slider_tables
 from springback.results.flight import fly
 from springback.scenario.files import read_scenario
+from springback.scenario.scenario import scenario_from
 from springback.vehicle.library import ARQ
 
 SLIDERS = {name: slider for name in FIELDS if isinstance(slider := control_of(name), SliderControl)}
@@ -242,6 +243,32 @@ def test_a_door_opens_away_from_the_robot() -> None:
     assert flight.measures["touch_time"] == pytest.approx(BEFORE, abs=3e-4)
     assert flight.columns["obstacle0_wz"][-1] > 0.0
     assert flight.columns["obstacle0_vx"][-1] > 0.0
+
+
+def test_another_robot_is_hit_where_a_wall_would_be() -> None:
+    """Both come from their sides; in flight the other holds its place by a pilot of its own."""
+    asked = setting(obstacle="robot", speed=2, other_speed=1)
+    flight = fly(lab_tables(asked, "arq"), "simulation.duration=0.04")
+    assert flight.measures["touch_time"] == pytest.approx(BEFORE, abs=2e-6)
+    assert flight.measures["touch_speed"] == pytest.approx(3.0, rel=1e-6)
+    assert flight.second is not None
+    assert flight.second.scenario.name == "other robot"
+    softer = lab_tables(setting(obstacle="robot", surface="own", contact_stiffness=50), "quad")
+    assert softer["second"]["surface"]["stiffness"] == 5e4
+    assert softer["second"]["vehicle"] == softer["vehicle"]
+    assert "velocity" not in softer["second"]["start"]
+    hovers = lab_tables(setting(obstacle="robot", mode="flight", offset=100, yaw=10), "arq")
+    assert [one["type"] for one in hovers["world"]["obstacles"]] == ["ground"]
+    start = hovers["second"]["start"]
+    assert start == {"position": [pytest.approx(2.75 + 0.2443516), 0.1, 1.0], "yaw": "170 deg"}
+    assert hovers["second"]["reference"] == {"type": "hold", **start}
+    assert hovers["second"]["recovery"] == hovers["recovery"]
+    assert scenario_from(hovers).second is not None
+    kinds = {kind_of(setting(obstacle="robot", mode=mode)).words for mode in ("impact", "flight")}
+    assert kinds == {
+        "impacts on another robot, free", "flights into another robot, recovery by a quintic"
+    }  # fmt: skip
+    assert example_of(setting(obstacle="robot", offset=7)).obstacle == "robot"
 
 
 def test_what_moves_is_a_kind_of_its_own() -> None:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from springback.interfaces.lab.obstacles import obstacle_of
+from springback.interfaces.lab.obstacles import WORDS, obstacle_of
 from springback.interfaces.lab.scenarios import is_piloted
 from springback.interfaces.lab.settings import (
     DEFAULTS,
@@ -175,7 +175,7 @@ def _target(settings: LabSettings) -> str:
     """Word for what is hit."""
     user = settings.user
     if obstacle_of(settings) != "wall":
-        return settings.obstacle
+        return WORDS.get(settings.obstacle, settings.obstacle)
     if user is not None and user.target is not None and settings.surface in ("file", "own"):
         return user.target.type
     if user is not None and settings.mode == "file":

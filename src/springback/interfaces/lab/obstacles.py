@@ -22,8 +22,9 @@ DOOR, CLOSER, DOOR_DAMPING = (0.9, 2.0, 0.04), 5.0, 2.0
 SWING_STEPS = 200
 
 
-#: Shapes of obstacles that have another name here.
+#: Shapes of obstacles that have another name here, and words for what is hit where it is no shape.
 SHAPES = {"ball": "sphere", "door": "box"}
+WORDS = {"robot": "other robot"}
 #: Width and height of a net [m] (chosen).
 NET = (2.0, 1.0)
 

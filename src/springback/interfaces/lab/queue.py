@@ -41,6 +41,7 @@ SHAPE = "shape"
 _PLACES = {
     "mat": "a mat", SHAPE: "poles, windows and the like", "moving": "what moves",
     "ball": "a hovering robot by a ball", "door": "a door",
+    "robot": "another robot",
 }  # fmt: skip
 _COUNTS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
            "eleven", "twelve")  # fmt: skip
@@ -97,6 +98,8 @@ def kind_of(request: Request) -> Kind:
 def _shape_of(settings: LabSettings) -> str:
     """Surface of the kind of flights into other obstacles than the wall; empty for the wall."""
     obstacle = obstacle_of(settings)
+    if obstacle == "robot":
+        return obstacle
     if obstacle in MOVING:
         return "moving" if settings.mode == "impact" else obstacle
     return "" if obstacle == "wall" else SHAPE
@@ -114,7 +117,7 @@ def example_of(request: Request) -> LabSettings:
     words = {name: getattr(settings, name) for name in ("mode", "guide", "recovery")}
     surface = "mat" if settings.surface == "mat" else "wall"
     chosen = obstacle_of(settings)
-    obstacle = chosen if chosen in ("wall", *MOVING) else "pole"
+    obstacle = chosen if chosen in ("wall", "robot", *MOVING) else "pole"
     what = {"robot": "arq", "surface": surface, "obstacle": obstacle}
     return DEFAULTS.with_checked(**what, **words)
 

@@ -18,6 +18,7 @@ from springback.contact.parameters import Ground, Mat, Wall
 from springback.errors import InputError
 from springback.interfaces.lab.obstacles import (
     ROD,
+    WORDS,
     is_on_slider,
     obstacle_of,
     shape_table,
@@ -186,7 +187,7 @@ def _impact(s: LabSettings, robot: str) -> Table:
     given: Table = {
         "name": _name(s, robot),
         "vehicle": table,
-        "world": {"obstacles": [_obstacle(s, WALL_DISTANCE, slides, 0.0)], **_gravity(s)},
+        "world": {"obstacles": _ahead(s, slides, 0.0), **_gravity(s)},
         **_physics(s, robot, slides),
     }
     gravity, hovers = given["world"].get("gravity", GRAVITY), is_balanced(vehicle)
@@ -195,7 +196,7 @@ def _impact(s: LabSettings, robot: str) -> Table:
     paper = given.get("model", {}).get("contact_point") == "paper"
     touch = np.array([WALL_DISTANCE - _reach(vehicle, pitch, yaw, paper), 0.0, HEIGHT])
     velocity = np.array([s.speed, 0.0, 0.0])
-    if obstacle_of(s) != "wall":
+    if obstacle_of(s) not in ("wall", "robot"):
         touch[0] = _touch(given, touch[0], s)
     if obstacle_of(s) == "ball":
         [ball] = given["world"]["obstacles"]
@@ -208,7 +209,33 @@ def _impact(s: LabSettings, robot: str) -> Table:
         "pitch": f"{digits(pitch)} deg",
         "yaw": f"{digits(yaw)} deg",
     }
-    return given if slides or not hovers else given | {"thrust": "hover"}
+    thrust = {"thrust": "hover"} if hovers and not slides else {}
+    if obstacle_of(s) == "robot":
+        given["second"] = _other(s, given, vehicle, thrust)
+    return given | thrust
+
+
+def _other(s: LabSettings, given: Table, vehicle: Vehicle, more: Table) -> Table:
+    """A second robot like the first, level, whose foremost point arrives where a wall would be.
+
+    Args:
+        s: Settings.
+        given: Scenario of the first.
+        vehicle: Of both.
+        more: Further keys: its thrust, or what its pilot is to do.
+    """
+    paper = given.get("model", {}).get("contact_point") == "paper"
+    ahead = WALL_DISTANCE + _reach(vehicle, 0.0, 0.0, paper)
+    speed = s.other_speed if s.mode == "impact" else 0.0
+    start: Table = {"position": [ahead + speed * BEFORE, 1e-3 * s.offset, HEIGHT]}
+    if speed:
+        start["velocity"] = [-speed, 0.0, 0.0]
+    turned = math.remainder(180.0 - s.yaw if s.mode == "flight" else 180.0, 360.0)
+    own = {key: given[key] for key in ("payload", "model_error") if key in given}
+    other = {"name": "other robot", "vehicle": given["vehicle"], **own, **more}
+    if s.surface != "wall":
+        other["surface"] = _surface_alone(s)
+    return other | {"start": start | {"yaw": f"{digits(turned)} deg"}}
 
 
 def _gravity(s: LabSettings) -> Table:
@@ -294,8 +321,9 @@ def _touch_of(text: str) -> float | None:
 def _flight(s: LabSettings, robot: str) -> Table:
     """Run-up, collision and recovery; a yaw turns the wall, unknown to the pilot."""
     psi = math.radians(s.yaw)
-    wall = _obstacle(s, WALL_DISTANCE, slides=False, turned=-s.yaw)
+    ahead = _ahead(s, slides=False, turned=-s.yaw)
     if s.yaw != 0.0 and obstacle_of(s) == "wall":
+        [wall] = ahead
         del wall["distance"]
         wall["position"] = [WALL_DISTANCE, 0.0, 0.0]
         wall["normal"] = [-math.cos(psi), math.sin(psi), 0.0]
@@ -305,14 +333,29 @@ def _flight(s: LabSettings, robot: str) -> Table:
     given |= {
         "name": _name(s, robot),
         "vehicle": vehicle_table_of(s, robot, slides=False),
-        "world": {"obstacles": [wall, {"type": "ground", "surface": "wall"}], **_gravity(s)},
+        "world": {"obstacles": [*ahead, {"type": "ground", "surface": "wall"}], **_gravity(s)},
         "simulation": {"duration": DURATION},
     }
     if obstacle_of(s) == "ball":
         given |= _hover(s, given)
     if s.recovery == "none":
-        return given | {"simulation": {"duration": UNANSWERED}}
-    return given | {"recovery": {"response": {"way": s.recovery}}}
+        given["simulation"] = {"duration": UNANSWERED}
+    else:
+        given["recovery"] = {"response": {"way": s.recovery}}
+    if obstacle_of(s) == "robot":
+        given["second"] = _hovering(s, given)
+    return given
+
+
+def _hovering(s: LabSettings, given: Table) -> Table:
+    """A second robot with a pilot, who holds its place and answers a collision as the first."""
+    vehicle = vehicle_of(given["vehicle"])
+    told = {
+        key: given[key] for key in ("control", "sensors", "estimator", "recovery") if key in given
+    }
+    other = _other(s, given, vehicle, told)
+    start = other["start"]
+    return other | {"reference": {"type": "hold", **start}}
 
 
 def _hover(s: LabSettings, given: Table) -> Table:
@@ -337,19 +380,26 @@ def _hover(s: LabSettings, given: Table) -> Table:
 def _name(s: LabSettings, robot: str) -> str:
     where = {"wall": "wall", "mat": "mat", "own": "own surface", "file": "wall of the file"}
     if obstacle_of(s) != "wall":
-        where = {name: f"{s.obstacle}, {words}" for name, words in where.items()}
+        what_is_hit = WORDS.get(s.obstacle, s.obstacle)
+        where = {name: f"{what_is_hit}, {words}" for name, words in where.items()}
+        if s.obstacle == "robot":
+            where["wall"] = what_is_hit
     slides = ", slider" if is_on_slider(s) else ""
     what = f"{digits(s.speed)} m/s, {digits(s.pitch)} deg, {where[s.surface]}{slides}"
     return f"{robot_name(s, robot)}, {what}"
 
 
+def _ahead(s: LabSettings, slides: bool, turned: float) -> list[Table]:
+    """Obstacles ahead of a robot: one, or none if another robot is there."""
+    if obstacle_of(s) == "robot":
+        return []
+    return [_obstacle(s, WALL_DISTANCE, slides, turned)]
+
+
 def _obstacle(s: LabSettings, face: float, slides: bool, turned: float) -> Table:
     """Wall or mat whose face is at a distance [m]; a shape, which is turned by an angle [deg]."""
     if obstacle_of(s) != "wall":
-        surface: Any = _surface(s, slides=False)
-        if s.surface == "file" and s.user is not None and s.user.surface is not None:
-            surface = s.user.surface.model_dump(exclude_none=True)
-        return shape_table(s, face, HEIGHT, surface, turned)
+        return shape_table(s, face, HEIGHT, _surface_alone(s), turned)
     more: Table = {"friction_axes": "vertical"} if slides else {}
     if s.surface in ("file", "own") and s.user is not None and s.user.target is not None:
         return _obstacle_of_file(s, face, s.user.target, slides)
@@ -376,6 +426,13 @@ def _obstacle_of_file(
         "type": "mat", "distance": face + target.thickness, "thickness": target.thickness,
         "surface": surface, "backing": target.backing.model_dump(exclude_none=True),
     }  # fmt: skip
+
+
+def _surface_alone(s: LabSettings) -> Any:
+    """Surface of a shape, as a raw table: the file's, or one of the page's."""
+    if s.surface == "file" and s.user is not None and s.user.surface is not None:
+        return s.user.surface.model_dump(exclude_none=True)
+    return _surface(s, slides=False)
 
 
 def _surface(s: LabSettings, slides: bool) -> Any:

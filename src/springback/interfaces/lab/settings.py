@@ -100,10 +100,10 @@ Obstacles = Annotated[
         {
             "wall": "Wall or mat", "pole": "Pole", "edge": "Edge", "sphere": "Sphere",
             "window": "Window", "slope": "Slope", "net": "Net", "ball": "Swinging ball",
-            "door": "Door",
+            "door": "Door", "robot": "Other robot",
         },
         "All but the wall are hit in free flight. The ball swings into the hovering robot; the "
-        "door has a closer.",
+        "door has a closer. The other robot is like the first, faces it, and hovers.",
         "Obstacle",
         _OURS,
     ),
@@ -114,7 +114,8 @@ Surfaces = Annotated[
         "Surface",
         {"wall": "Wall", "mat": "Mat", "own": "Own"},
         "Wall and mat are those of Table II; the mat is in front of the wall. Own: a surface with "
-        "your numbers. Other obstacles than the wall have the surface alone.",
+        "your numbers. Other obstacles than the wall have the surface alone; between two robots, "
+        "Wall is that of two cages.",
         "Surface",
     ),
 ]
@@ -243,8 +244,8 @@ class LabSettings(Settings):
         path="world.obstacles.0.yaw",
     )] = 0.0  # fmt: skip
     offset: Annotated[float, _of_shapes(
-        "pole", "edge", "sphere", "window", "net", "ball", "door", label="Offset", least=-500.0,
-        most=500.0, step=5.0, explains="To the left of the robot's way.",
+        "pole", "edge", "sphere", "window", "net", "ball", "door", "robot", label="Offset",
+        least=-500.0, most=500.0, step=5.0, explains="To the left of the robot's way.",
         path="world.obstacles.0.position",
     )] = 0.0  # fmt: skip
     ball_mass: Annotated[float, _of_shapes(
@@ -257,6 +258,11 @@ class LabSettings(Settings):
         logarithmic=True, explains="90 cm wide, hinged on its left, with a closer of 5 N m/rad.",
         path="world.obstacles.0.motion.mass",
     )] = 8.0  # fmt: skip
+    other_speed: Annotated[float, SliderControl(
+        "m/s", label="Speed of the other robot", least=0.0, most=3.0, step=0.05, group="Obstacle",
+        when={**_IMPACT, "obstacle": ("robot",)}, path="second.start.velocity",
+        explains="Towards the first. In flight it hovers with a pilot of its own.",
+    )] = 0.0  # fmt: skip
     surface: Surfaces = "wall"
     contact_stiffness: Annotated[float, SliderControl(
         "kN/m^1.5", label="Contact stiffness k_c", least=20.0, most=1000.0, step=1.0,
