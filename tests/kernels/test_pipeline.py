@@ -6,11 +6,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import pytest
-from numba import njit
+from numba import njit, typeof
+from numba.core.compiler_lock import global_compiler_lock
 
 from builders.cases import nonempty
-from springback.kernels.compiler import STRICT, executor, kernel
-from springback.kernels.trees import select
+from springback.kernels.compiler import STRICT, executor, generic, kernel
+from springback.kernels.gpu.nvptx import device_function, lower
+from springback.kernels.trees import select, tree_map
 
 
 class Pair(NamedTuple):
@@ -98,3 +100,32 @@ def test_no_kernel_remains_to_be_called() -> None:
         assert "_mixed" not in "".join(
             line for line in text.splitlines() if line.startswith(("define", "declare"))
         )
+
+
+@generic
+def _size(one: Pair) -> float:
+    """Dispatched by type, as the laws of contacts are."""
+    raise TypeError
+
+
+@_size.register(Pair)
+@kernel
+def _size_of_pair(one: Pair) -> float:
+    return one.a + one.inner[0]
+
+
+def test_a_processor_compiles_after_a_gpu_has() -> None:
+    """And the other way round: numba keeps one implementation of a function for all targets."""
+    pairs = (_made(0.5), _made(2.0))
+
+    def sizes(pairs: tuple[Pair, ...]) -> tuple[float, ...]:
+        return tree_map(_size, (pairs,), ())
+
+    def doubled(pairs: tuple[Pair, ...]) -> tuple[float, ...]:
+        return tree_map(_size, (pairs,), ()) + tree_map(_size, (pairs,), ())
+
+    expected, kinds = tuple(one.a + one.inner[0] for one in pairs), (typeof(pairs),)
+    for function, times in ((sizes, 1), (doubled, 2)):
+        assert njit(**STRICT)(function)(pairs) == times * expected
+        with global_compiler_lock:
+            assert lower(device_function(function), "double", kinds).library is not None

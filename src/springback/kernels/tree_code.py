@@ -224,6 +224,23 @@ def store_code(tree: Any, like: tuple[Any, ...], stored: Stored, kinds: tuple[An
     return types.void(tree, *like, *kinds), lower
 
 
+def _implementation(context: Any, function: Any, given: Any, signature: Any) -> Any:
+    """Code of calling a function, for the target of a context.
+
+    The compiler remembers of a function and its types the implementation for one target, that of
+    which it was last asked: it is asked again after another one, such as a GPU.
+
+    Args:
+        context: Of the target.
+        function: Type of the function.
+        given: Types of the arguments.
+        signature: As resolved for them.
+    """
+    if function.get_impl_key(signature) not in context._defns:
+        context.typing_context.resolve_function_type(function, given, {})
+    return context.get_function(function, signature)
+
+
 def map_code(typing: Any, function: Any, zipped: Any, shared: Any) -> Any:
     """Signature and code of calling a function for every position of several tuples.
 
@@ -251,7 +268,7 @@ def map_code(typing: Any, function: Any, zipped: Any, shared: Any) -> Any:
                 context.cast(builder, x, a, b)
                 for x, a, b in zip(row, kinds[k], wanted, strict=True)
             ]
-            return context.get_function(function, called[k])(builder, cast)
+            return _implementation(context, function, kinds[k], called[k])(builder, cast)
 
         return context.make_tuple(builder, result, [value(k) for k in range(len(called))])
 
