@@ -350,7 +350,7 @@ def _flight(s: LabSettings, robot: str) -> Table:
 def _hovering(s: LabSettings, given: Table) -> Table:
     """A second robot with a pilot, who holds its place and answers a collision as the first."""
     vehicle = vehicle_of(given["vehicle"])
-    told = {
+    told: Table = {
         key: given[key] for key in ("control", "sensors", "estimator", "recovery") if key in given
     }
     other = _other(s, given, vehicle, told)

@@ -364,8 +364,8 @@ def _line(table: type[LabSettings], path: tuple[str | int, ...], what: str) -> s
 
 
 def digits(number: float) -> str:
-    """Shortest text that reads back to the same number: 5 for 5.0."""
-    return repr(number).removesuffix(".0")
+    """Shortest text that reads back to the same number: 5 for 5.0, 0 for either zero."""
+    return repr(number + 0.0).removesuffix(".0")
 
 
 def is_default(settings: LabSettings, *names: str) -> bool:
