@@ -209,7 +209,7 @@ def _impact(s: LabSettings, robot: str) -> Table:
         "pitch": f"{digits(pitch)} deg",
         "yaw": f"{digits(yaw)} deg",
     }
-    thrust = {"thrust": "hover"} if hovers and not slides else {}
+    thrust: Table = {"thrust": "hover"} if hovers and not slides else {}
     if obstacle_of(s) == "robot":
         given["second"] = _other(s, given, vehicle, thrust)
     return given | thrust
@@ -232,7 +232,7 @@ def _other(s: LabSettings, given: Table, vehicle: Vehicle, more: Table) -> Table
         start["velocity"] = [-speed, 0.0, 0.0]
     turned = math.remainder(180.0 - s.yaw if s.mode == "flight" else 180.0, 360.0)
     own = {key: given[key] for key in ("payload", "model_error") if key in given}
-    other = {"name": "other robot", "vehicle": given["vehicle"], **own, **more}
+    other: Table = {"name": "other robot", "vehicle": given["vehicle"], **own, **more}
     if s.surface != "wall":
         other["surface"] = _surface_alone(s)
     return other | {"start": start | {"yaw": f"{digits(turned)} deg"}}
