@@ -231,7 +231,7 @@ def _other(s: LabSettings, given: Table, vehicle: Vehicle, more: Table) -> Table
     if speed:
         start["velocity"] = [-speed, 0.0, 0.0]
     turned = math.remainder(180.0 - s.yaw if s.mode == "flight" else 180.0, 360.0)
-    own = {key: given[key] for key in ("payload", "model_error") if key in given}
+    own: Table = {key: given[key] for key in ("payload", "model_error") if key in given}
     other: Table = {"name": "other robot", "vehicle": given["vehicle"], **own, **more}
     if s.surface != "wall":
         other["surface"] = _surface_alone(s)
