@@ -252,7 +252,7 @@ def test_another_robot_is_hit_where_a_wall_would_be() -> None:
     assert flight.measures["touch_time"] == pytest.approx(BEFORE, abs=2e-6)
     assert flight.measures["touch_speed"] == pytest.approx(3.0, rel=1e-6)
     assert flight.second is not None
-    assert flight.second.scenario.name == "other robot"
+    assert flight.second.scenario.name == "other ARQ"
     softer = lab_tables(setting(obstacle="robot", surface="own", contact_stiffness=50), "quad")
     assert softer["second"]["surface"]["stiffness"] == 5e4
     assert softer["second"]["vehicle"] == softer["vehicle"]

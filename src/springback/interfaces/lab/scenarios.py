@@ -211,28 +211,33 @@ def _impact(s: LabSettings, robot: str) -> Table:
     }
     thrust: Table = {"thrust": "hover"} if hovers and not slides else {}
     if obstacle_of(s) == "robot":
-        given["second"] = _other(s, given, vehicle, thrust)
+        given["second"] = _other(s, robot, given, thrust)
     return given | thrust
 
 
-def _other(s: LabSettings, given: Table, vehicle: Vehicle, more: Table) -> Table:
+def _other(s: LabSettings, robot: str, given: Table, more: Table) -> Table:
     """A second robot like the first, level, whose foremost point arrives where a wall would be.
 
     Args:
         s: Settings.
+        robot: One of `robots_of`.
         given: Scenario of the first.
-        vehicle: Of both.
         more: Further keys: its thrust, or what its pilot is to do.
     """
     paper = given.get("model", {}).get("contact_point") == "paper"
-    ahead = WALL_DISTANCE + _reach(vehicle, 0.0, 0.0, paper)
+    ahead = WALL_DISTANCE + _reach(vehicle_of(given["vehicle"]), 0.0, 0.0, paper)
     speed = s.other_speed if s.mode == "impact" else 0.0
     start: Table = {"position": [ahead + speed * BEFORE, 1e-3 * s.offset, HEIGHT]}
     if speed:
         start["velocity"] = [-speed, 0.0, 0.0]
     turned = math.remainder(180.0 - s.yaw if s.mode == "flight" else 180.0, 360.0)
     own: Table = {key: given[key] for key in ("payload", "model_error") if key in given}
-    other: Table = {"name": "other robot", "vehicle": given["vehicle"], **own, **more}
+    other: Table = {
+        "name": f"other {robot_name(s, robot)}",
+        "vehicle": given["vehicle"],
+        **own,
+        **more,
+    }
     if s.surface != "wall":
         other["surface"] = _surface_alone(s)
     return other | {"start": start | {"yaw": f"{digits(turned)} deg"}}
@@ -343,17 +348,16 @@ def _flight(s: LabSettings, robot: str) -> Table:
     else:
         given["recovery"] = {"response": {"way": s.recovery}}
     if obstacle_of(s) == "robot":
-        given["second"] = _hovering(s, given)
+        given["second"] = _hovering(s, robot, given)
     return given
 
 
-def _hovering(s: LabSettings, given: Table) -> Table:
+def _hovering(s: LabSettings, robot: str, given: Table) -> Table:
     """A second robot with a pilot, who holds its place and answers a collision as the first."""
-    vehicle = vehicle_of(given["vehicle"])
     told: Table = {
         key: given[key] for key in ("control", "sensors", "estimator", "recovery") if key in given
     }
-    other = _other(s, given, vehicle, told)
+    other = _other(s, robot, given, told)
     start = other["start"]
     return other | {"reference": {"type": "hold", **start}}
 
