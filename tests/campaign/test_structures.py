@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -12,7 +13,9 @@ from builders.forms import box_file, cells_file, hills_file
 from builders.shape_scenes import SHAPES
 from springback.campaign.common_flights import COMMON, kinds_of
 from springback.campaign.compiler_times import flight_kinds
+from springback.results.flight import as_scenario
 
+EXAMPLES = Path(__file__).parents[2] / "examples"
 HERE = [2.7, 0.02, 1.0]
 ALL: dict[str, dict[str, Any]] = {
     **SHAPES,
@@ -108,14 +111,21 @@ def test_what_is_compiled_ahead_serves_every_scene_of_the_presets() -> None:
     """With `springback doctor --compile` no scene of built-in shapes has to be compiled again."""
     ahead = {one.kind.key for one in kinds_of(COMMON)}
     assert len(ahead) == 2 * len(COMMON)
+    pilot, recovers = (
+        COMMON[name] for name in ("a pilot's flight among shapes", "a recovery among shapes")
+    )
     for name in nonempty(ALL):
+        world = {"world": {"obstacles": [obstacle(name)]}}
         for alone in (True, False):
-            for flown in (
-                throw(obstacle(name)),
-                {
-                    **COMMON["a pilot's flight among shapes"],
-                    "world": {"obstacles": [obstacle(name)]},
-                },
-            ):
+            for flown in (throw(obstacle(name)), {**pilot, **world}, {**recovers, **world}):
                 [kind] = flight_kinds([flown], alone=alone)
                 assert kind.key in ahead
+
+
+def test_examples_among_shapes_at_rest_are_compiled_ahead() -> None:
+    """With their pilots, recoveries and settings of these, if the vehicle's hull is a preset's."""
+    ahead = {one.kind.key for one in kinds_of(COMMON)}
+    for name in ("pole", "window", "doorway", "forest", "imported_world"):
+        tables = as_scenario(EXAMPLES / f"{name}.toml").model_dump(exclude_unset=True)
+        [kind] = flight_kinds([tables], alone=True)
+        assert kind.key in ahead, name

@@ -40,6 +40,7 @@ COMMON: dict[str, dict[str, Any]] = {
     "a throw among shapes": {**_THROWN, "world": {"obstacles": [_POLE]}},
     "a pilot's flight at a wall": {**_FLOWN, "world": {"obstacles": [_WALL]}},
     "a pilot's flight among shapes": {**_FLOWN, "world": {"obstacles": [_POLE]}},
+    "a recovery among shapes": {**_FLOWN, "recovery": {}, "world": {"obstacles": [_POLE]}},
 }
 
 
