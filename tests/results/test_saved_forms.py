@@ -77,6 +77,26 @@ def test_a_saved_flight_needs_no_other_file(folder: Path) -> None:
         springback.load(folder / "out")
 
 
+def test_so_does_one_into_an_imported_world(folder: Path) -> None:
+    """Meshes that a world names are beside it, too."""
+    (folder / "lab.urdf").write_text(
+        '<robot name="lab"><link name="lab"><collision><geometry>'
+        '<mesh filename="crate.stl"/></geometry></collision></link></robot>',
+        encoding="utf-8",
+    )
+    imports = '[[world.obstacles]]\ntype = "import"\nfile = "lab.urdf"\n'
+    start = TEXT[TEXT.index("[start]") :]
+    text = f'vehicle = "arq"\n{imports}position = [3, 0, 1]\nsurface = "wall"\n{start}'
+    (folder / "scenario.toml").write_text(text, encoding="utf-8")
+    flight = fly(folder / "scenario.toml", executor="python")
+    flight.save(folder / "out", figures=False)
+    (folder / "crate.stl").unlink()
+    (folder / "lab.urdf").unlink()
+    again = springback.load(folder / "out")
+    assert again.scenario == flight.scenario
+    assert np.array_equal(again.gap(), flight.gap())
+
+
 def test_a_plan_notes_the_content(folder: Path) -> None:
     """A file that changes later is refused, where it was written."""
     plan = Plan(

@@ -13,6 +13,7 @@ from springback.results.flight import Flight
 from springback.results.parquet import write_parquet
 from springback.results.saved import SECOND
 from springback.results.sealed_json import file_digest, with_digest
+from springback.scenario.worlds.imported import single_obstacles
 from springback.version import __version__
 
 _NAMES = (
@@ -59,7 +60,9 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
     written = _write_vehicle(flight, folder, "", figures)
     if flight.second is not None:
         written += _write_vehicle(flight.second, folder, SECOND, figures)
-    written += write_forms(flight.scenario.world, folder)
+    world = flight.scenario.world
+    single = world.model_copy(update={"obstacles": single_obstacles(world.obstacles)})
+    written += write_forms(single, folder)
     files = {path.name: file_digest(path) for path in written}
     write_json(folder / SUMMARY, with_digest(summary | {"files": files}))
     return [folder / SUMMARY, *written]
