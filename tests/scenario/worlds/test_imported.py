@@ -285,6 +285,14 @@ def test_show_lists_every_element_and_what_is_missing(tmp_path: Path) -> None:
     assert data["not_represented"] == ["egg/link/collision: is an ellipsoid of radii 1 x 2 x 3 m"]
 
 
+def test_a_file_of_nothing_that_can_be_shown_is_counted_in_plain_words(tmp_path: Path) -> None:
+    path = tmp_path / "w.sdf"
+    path.write_text(sdf(sdf_model("egg", EGG)))
+    done = run("show", str(path))
+    assert done.stdout.startswith("not represented:\n  egg/link/collision")
+    assert "0 elements, 1 not represented" in done.stderr
+
+
 def test_convert_writes_obstacles_and_warns(tmp_path: Path) -> None:
     path, out = tmp_path / "w.sdf", tmp_path / "o.toml"
     path.write_text(ALL.replace("</world>", sdf_model("egg", EGG) + "</world>"))

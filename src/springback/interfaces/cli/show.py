@@ -266,7 +266,7 @@ def _lines(found: Imported) -> list[str]:
         ("represented differently:", found.remarks),
     ):
         if words:
-            lines += ["", title, *(f"  {word}" for word in words)]
+            lines += [*([""] if lines else []), title, *(f"  {word}" for word in words)]
     if found.ignored:
         lines += ["", f"nothing can hit: {', '.join(found.ignored)}"]
     return lines
@@ -297,5 +297,6 @@ def _summary(found: Imported) -> str:
     """Counts in a sentence."""
     kinds = Counter(part.obstacle.type for part in found.parts)
     shown = ", ".join(f"{count} {kind}" for kind, count in kinds.items())
-    missing = len(found.unrepresented)
-    return f"{len(found.parts)} elements ({shown}), {missing} not represented"
+    count, missing = len(found.parts), len(found.unrepresented)
+    elements = "1 element" if count == 1 else f"{count} elements"
+    return f"{elements}{f' ({shown})' if shown else ''}, {missing} not represented"
