@@ -309,6 +309,7 @@ def test_what_a_page_says_to_type_works(
 ) -> None:
     reader = Reader(tmp_path, campaign)
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(tmp_path / "config"))  # `trust` is not for good
     monkeypatch.setattr(springback, "run_campaign", looked_at_campaign(campaign))
     for this in typed(page):
         try:
