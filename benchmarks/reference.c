@@ -134,6 +134,7 @@ enum { FLYING = 0, FINISHED = 1, NOT_FINITE = 2 };
 static const double LANDED = 1e-9, NEVER = 1e9, SHORTEST = 1e-3, DIVERGED = 1e12;
 static const double FRICTION_SHARE = 2, TINY = 1e-9, AT_TOUCH = 1e-30;
 static const double CONTACT_SHARE = 0.35, SLIP_SHARE = 0.25, AHEAD = 1e-4, GRAZED = 1e-7;
+static const double APPROACH = 0.98, SUDDEN = 2;
 
 INLINE Crossing crossing(V value, V rate)
 {
@@ -286,7 +287,10 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
             const V low_ = l - a->shortest, high_ = -compression;
             const V next = sel(dl > all(0), sel(low_ < all(-LANDED), low_, high_), sel(high_ > all(LANDED), high_, low_));
             view->crossing = sooner(view->crossing, crossing(gap, -approach));
-            view->crossing = sooner(view->crossing, crossing(next, sel(stopped, dl, all(0))));
+            Crossing at_stop = crossing(next, sel(stopped, dl, all(0)));
+            const M away = (at_stop.distance > all(2 * GRAZED)) & (at_stop.distance < all(NEVER));
+            at_stop.distance = sel(away, all(APPROACH) * at_stop.distance, at_stop.distance);
+            view->crossing = sooner(view->crossing, at_stop);
             view->touching[j] = one_if(touches);
             view->touched_normal = plus(view->touched_normal, times(n, one_if(touches)));
             view->largest_normal = larger(view->largest_normal, normal);
@@ -313,11 +317,15 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
             const V dashpot = sel(depth > all(0), m->dissipation * then + m->viscosity, all(0));
             const V out_ = all(AHEAD) * dl;
             const M soon = (-compression + out_ > all(GRAZED)) | (a->shortest - l - out_ > all(GRAZED));
-            const V stopping = sel((shift != all(0)) | soon, a->stop_stiffness, all(0));
+            const V faster = larger(dl, -dl), inwards = positive(sel(shift > all(0), -dl, dl));
+            const V rate_in = sel(shift == all(0), faster, inwards);
+            const V steepest = all(SUDDEN) * a->stop_stiffness * (all(1) + a->stop_dissipation * rate_in);
+            const V stopping = sel((shift != all(0)) | soon, steepest, all(0));
+            const V reached = sel(stopping > all(0), larger(shift, -shift) + larger(out_, -out_), all(0));
             press_k += spring;
             press_c += dashpot;
             arm_k = larger(arm_k, (spring * (along * along) + stopping) * give);
-            arm_c = larger(arm_c, (dashpot * (along * along) + a->stop_dissipation * larger(stored, -stored)) * give);
+            arm_c = larger(arm_c, (dashpot * (along * along) + a->stop_dissipation * a->stop_stiffness * reached) * give);
             view->stopped = larger(view->stopped, one_if(u * stopping > all(0)));
             rub_x[j] = px;
             rub_y[j] = py;
