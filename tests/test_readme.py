@@ -140,12 +140,12 @@ def test_one_line_installs_all_that_follows() -> None:
 
 
 def test_pages_and_spinner_tell_the_same_of_compiling() -> None:
-    """A pilot takes a minute or two, which whoever waits for it has to know."""
+    """A pilot takes longer, which whoever waits for it has to know: 10.9 and 19 s on two cores."""
     pages = [(ROOT / page).read_text() for page in ("README.md", "docs/start.md")]
     for text in (*pages, FIRST):
-        [said] = re.findall(r"[^.]*\b15 s\b[^.]*", " ".join(text.split()))
+        [said] = re.findall(r"[^.]*\b10 s\b[^.]*", " ".join(text.split()))
         assert "with a pilot" in said
-        assert re.search("one or two minutes|a minute or two", said), said
+        assert "20 s to a minute" in said
 
 
 @pytest.mark.parametrize("name", ["toml", "py"])
