@@ -140,12 +140,18 @@ def test_the_heat_of_a_cycle_is_the_work_that_is_not_returned(name: str) -> None
     """In whatever steps it comes in, and goes out in between; the way out costs no more."""
     of, deepest = surface(**LAWS[name]), 0.011
     memory, heat = no_memory(), 0.0
-    for depth in (1e-4, 0.004, 0.0083, 0.005, 0.0079, 0.0084, deepest, 0.002):
+    for depth in (1e-9, 0.004, 0.0083, 0.005, 0.0079, 0.0084, deepest, 0.002):
         found = load(of, memory, depth, rate=1.0)
         heat += found.point.lost + 1e3 * abs(found.force.loss)
         memory = next_memory(memory, (found.point, no_point(), no_point()))
     lost = (1.0 - share_returned(name)) * work(lambda x: going_in(of, x), deepest)
     assert heat == pytest.approx(lost, rel=1e-3, abs=1e-6)
+
+
+@pytest.mark.parametrize("name", LAWS)
+def test_a_contact_that_jumps_to_another_place_loses_nothing_by_that(name: str) -> None:
+    """As between two cages that cross: its memory is lost, and what it lost was heat before."""
+    assert load(surface(**LAWS[name]), no_memory(), 0.011, rate=1.0).point.lost == 0.0
 
 
 @pytest.mark.parametrize("name", LAWS)

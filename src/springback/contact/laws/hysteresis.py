@@ -155,7 +155,9 @@ def _remembering(law: Hysteresis, memory: PressedPoints, at: Pressing) -> Hyster
     deepest = larger(before, at.depth)
     now = _first_time(at.surface, law, at.depth)
     most = _first_time(at.surface, law, deepest)
-    renewed = most.energy - _first_time(at.surface, law, before).energy
+    # A contact begins at no depth; one that has jumped to another place is taken over as it is.
+    known = most.energy if before == 0.0 else _first_time(at.surface, law, before).energy
+    renewed = most.energy - known
     soon = _first_time(at.surface, law, deepest + at.ahead)
     # A step ends where it was deepest, to within rounding: then it goes in for the first time.
     is_first = at.depth >= deepest - (LANDED if rate > 0.0 else 0.0)
