@@ -143,7 +143,7 @@ def between(a: Direction, b: Direction, share: float) -> Direction:
     return direction_of(a.x + share * (b.x - a.x), a.y + share * (b.y - a.y))
 
 
-@kernel
+@called_kernel
 def turning_point(
     shape: Any, centre: Vec, radius: float, a: Direction, b: Direction, falls: float, rises: float
 ) -> LowPoint:
@@ -195,7 +195,7 @@ def _is_before(a: Direction, b: Direction) -> bool:
     return other if lower != other else a.x * b.y - a.y * b.x > 0.0
 
 
-@kernel
+@called_kernel
 def _highest_between(
     shape: Any, centre: Vec, radius: float, first: Direction, last: Direction
 ) -> LowPoint:
@@ -272,7 +272,7 @@ def lower_beside(shape: Any, centre: Vec, radius: float, lowest: LowPoint, steps
     return best
 
 
-@kernel
+@called_kernel
 def lowest_on_ring(shape: Any, centre: Vec, radius: float, outward: Vec) -> LowPoints:
     """The two lowest minima of a signed distance along a ring in the plane of the arms.
 

@@ -19,6 +19,7 @@ _intrinsic: Any = numba.extending.intrinsic
 _item_pointer: Any = cgutils.get_item_pointer
 _unliteral: Any = types.unliteral
 _tuple_of: Any = types.BaseTuple.from_types
+_alloca_once: Any = cgutils.alloca_once
 
 
 class Rarely(NamedTuple):
@@ -172,7 +173,12 @@ def load_code(like: Any, stored: Stored, kinds: tuple[Any, ...]) -> Any:
             value = builder.load(places.pointer(first + k))
             return value if known is None else places.tag(value, known + k)
 
-        return _build(context, builder, result, map(leaf, range(count)))
+        # By way of the stack, which the optimiser takes apart leaf by leaf: of two trees that are
+        # read, one would be chosen as a whole, and a loop over lanes that does so not vectorised.
+        value = _build(context, builder, result, map(leaf, range(count)))
+        place = _alloca_once(builder, value.type)
+        builder.store(value, place)
+        return builder.load(place)
 
     return result(like, *kinds), lower
 

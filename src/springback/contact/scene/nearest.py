@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 from springback.contact.obstacles import outward_normal, signed_distance
 from springback.contact.rings import FAR, has_ridges
 from springback.contact.scene.solids import WIDTH, solid_face
-from springback.kernels.compiler import kernel
+from springback.kernels.compiler import called_kernel, kernel
 from springback.kernels.routines import number_at
 from springback.kernels.vectors import Vec
 
@@ -128,7 +128,7 @@ def row_of_near(near: NearestSolids, k: int) -> int:
     return solid_row(near.table, packed & 0xFFFF)
 
 
-@kernel
+@called_kernel
 def nearest_of(near: NearestSolids, point: Vec) -> Nearest:
     """The nearest of some solids."""
     if near.number > MOST_NEAR:
