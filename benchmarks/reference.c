@@ -298,7 +298,7 @@ INLINE void rates(const Model *m, const State *s, V released, const V *engaged, 
             view->nearest = smaller(view->nearest, gap);
             view->most_compressed = larger(view->most_compressed, compression);
             view->least_compressed = smaller(view->least_compressed, compression);
-            view->bottomed = larger(view->bottomed, one_if(stopped & (l < a->shortest)));
+            view->bottomed = larger(view->bottomed, one_if(stopped & (l < a->shortest + all(LANDED))));
             const V along = c * n.x + q * n.y, out = n.z * n.z, pn = px * n.x + py * n.y;
             const V upright = grip * (all(1) - out), far = px * px + py * py, give = u * a->inverse_mass;
             grip_all += grip;
@@ -487,7 +487,9 @@ INLINE void observe(const Model *m, const Motion *x, const View *v, Record *k)
 
     /* Peaks between instants: vertices of parabolas through the last three. */
     const V samples[3] = {norm(v->acceleration), norm(v->specific_force), v->largest_normal};
-    const M smooth = (k->step > zero) & ~jumped, usable = smooth & (k->recent_step > zero);
+    const M smooth = (k->step > zero) & ~jumped;
+    const M alike = (k->recent_step > all(0.1) * k->step) & (k->step > all(0.1) * k->recent_step);
+    const M usable = smooth & alike;
     const V before = sel(usable, k->recent_step, one), after = sel(usable, k->step, one);
     const V shared = one / (after * before * (after + before));
     V peak[3], when = k->time;

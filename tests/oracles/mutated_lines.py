@@ -310,7 +310,8 @@ MUTATED_LINES = (
     Mutation("peak, slope at the wrong end", PEAKS, "rise * (t.after * t.after) + fall * (t.before * t.before)", "rise * (t.before * t.before) + fall * (t.after * t.after)", PEAK),
     Mutation("peak, below the largest sample", PEAKS, "second - 0.5 * slope * half", "second + 0.5 * slope * half", PEAK),
     Mutation("peak, time mirrored", PEAKS, "-half * t.volume - t.after", "half * t.volume - t.after", PEAK),
-    Mutation("peak, across a jump", PEAKS, "usable = smooth & (recent.step > 0.0)", "usable = recent.step > 0.0", PEAK),
+    Mutation("peak, across a jump", PEAKS, "usable = smooth & (recent.step > ALIKE * step)", "usable = (recent.step > ALIKE * step)", PEAK),
+    Mutation("peak, across a short step", PEAKS, "& (recent.step > ALIKE * step) & (step > ALIKE * recent.step)", "& (recent.step > 0.0)", PEAK),
     Mutation("peak, across a touch", RECORD, "smooth = (now.step > 0.0) & (not jumped)", "smooth = now.step > 0.0", PEAK),
     Mutation("peak, of stale instants", RECORD, "Recent(select(smooth, now.step, 0.0), m.recent.latest, sample)", "Recent(select(smooth, now.step, 0.0), sample, m.recent.latest)", PEAK),
     # stops, as steps see them

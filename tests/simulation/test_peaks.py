@@ -8,11 +8,13 @@ import numpy as np
 import pytest
 
 from builders.scenes import FACE, approaching, one_arm, surface
+from springback.results.flight import fly
 from springback.simulation.flight import fly_one
 from springback.simulation.measuring.measures import measures_of
 from springback.simulation.measuring.peaks import PeakSample, Recent, peak_of, spacing
 
 NONE = PeakSample(0.0, 0.0, 0.0)
+PLACES = {"distance": 2.75}, {"position": [0.0, 0.6, 0.0], "normal": [0.0, -1.0, 0.0]}
 
 
 def test_the_vertex_of_a_parabola_is_found_exactly() -> None:
@@ -20,7 +22,7 @@ def test_the_vertex_of_a_parabola_is_found_exactly() -> None:
     chance = np.random.default_rng(3)
     found = 0
     for _ in range(200):
-        before, after = chance.uniform(0.1, 2.0, 2)
+        before, after = chance.uniform(0.25, 2.0, 2)
         a, b, c = chance.uniform(0.0, 5.0), chance.uniform(0.1, 4.0), chance.uniform(-1.0, 1.0)
         first, second, third = (a - b * (t - c) ** 2 for t in (-before, 0.0, after))
         peak = peak_of(first, second, third, spacing(Recent(before, NONE, NONE), after, True))
@@ -40,6 +42,29 @@ def test_without_a_smooth_stretch_of_three_instants_the_present_value_counts() -
         peak = peak_of(0.0, 1.0, 0.9, spacing(recent, 0.1, smooth))
         assert peak.value == 0.9
         assert peak.time == 0.0
+
+
+@pytest.mark.parametrize("steps", [(1e-12, 1e-4), (1e-4, 1e-12), (1e-6, 1e-4)])
+def test_what_changes_within_a_step_much_shorter_than_the_next_is_no_slope(
+    steps: tuple[float, float],
+) -> None:
+    """As of a gust at a tick, up to which a flight may take a step of rounding."""
+    peak = peak_of(1.0, 1.001, 1.0005, spacing(Recent(steps[0], NONE, NONE), steps[1], True))
+    assert peak.value == 1.0005
+    assert peak.time == 0.0
+
+
+def test_no_peak_of_a_pilot_that_presses_on_is_above_its_samples() -> None:
+    """ARQ without recovery leans on a wall for seconds; its steps end 1e-12 s before some ticks."""
+    wall, side = ({"type": "wall", "surface": "wall", **place} for place in PLACES)
+    flight = fly({
+        "vehicle": "arq", "reference": {"type": "run-up", "speed": 2.0},
+        "world": {"obstacles": [wall, side, {"type": "ground", "surface": "wall"}]},
+        "simulation": {"duration": 7.0},
+    })  # fmt: skip
+    assert np.diff(flight.t).min() < 1e-11
+    sampled = np.linalg.norm([flight.columns[f"a{axis}"] for axis in "xyz"], axis=0)
+    assert flight.peak_acceleration == pytest.approx(sampled.max(), rel=0.01)
 
 
 @pytest.mark.parametrize("step", [2e-4, 1e-4, 5e-5])

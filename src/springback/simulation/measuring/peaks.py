@@ -3,7 +3,8 @@
 Accelerations and forces in contact rise and fall within a few steps, so that the largest of their
 samples is too small by an error of second order in the step; the vertex, by one of third order.  It
 is used only if the three instants belong to one smooth stretch: contacts that begin or end, arms
-that are locked and impulses begin a new one.
+that are locked and impulses begin a new one.  So do steps much shorter than their neighbours, as up
+to a tick: what gusts and rounding change within one is no slope of the long one.
 """
 
 from __future__ import annotations
@@ -53,6 +54,8 @@ class Peak(NamedTuple):
     time: float  # relative to the present instant [s]
 
 
+#: Shortest of two steps through which a parabola goes, relative to the other (chosen).
+ALIKE = 0.1
 #: Before the first instant.
 NOTHING_YET = Recent(0.0, PeakSample(0.0, 0.0, 0.0), PeakSample(0.0, 0.0, 0.0))
 
@@ -86,7 +89,7 @@ def spacing(recent: Recent, step: float, smooth: bool) -> Spacing:
         step: From the later of them to the present [s].
         smooth: True if nothing jumps in between.
     """
-    usable = smooth & (recent.step > 0.0)
+    usable = smooth & (recent.step > ALIKE * step) & (step > ALIKE * recent.step)
     b, a = select(usable, recent.step, 1.0), select(usable, step, 1.0)
     return Spacing(usable, b, a, a * b * (a + b))
 
