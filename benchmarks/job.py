@@ -14,7 +14,7 @@ import numpy as np
 
 from springback.contact.cage import Ring
 from springback.contact.obstacles import Forces, Obstacle, Plane, World
-from springback.contact.surfaces import BothTangents, Surface, ThreeHalves
+from springback.contact.surfaces import Surface, ThreeHalves
 from springback.dynamics.air import Still
 from springback.dynamics.motion import Free
 from springback.kernels.layout import TreeLayout, rows
@@ -47,7 +47,7 @@ def reference_model(until: float = 0.1, free_step: float = IMPACT_STEP) -> Model
         viscosity=0.0,
         exponent=ThreeHalves(1.5),
         friction=0.8,
-        friction_axes=BothTangents(0.0),
+        vertical=0.0,
         slip_speed=0.1,
         restitution=-1.0,
     )

@@ -24,10 +24,8 @@ from springback.contact.library import SURFACES
 from springback.contact.obstacles import Forces, Obstacle, Plane, World
 from springback.contact.surfaces import (
     AnyExponent,
-    BothTangents,
     Surface,
     ThreeHalves,
-    VerticalTangent,
 )
 from springback.dynamics.air import Still
 from springback.dynamics.motion import Free
@@ -111,8 +109,8 @@ def drawn(
     )
 
 
-def _axes(chance: np.random.Generator) -> BothTangents | VerticalTangent:
-    return BothTangents(0.0) if chance.random() < 0.5 else VerticalTangent(0.0)
+def _axes(chance: np.random.Generator) -> float:
+    return 0.0 if chance.random() < 0.5 else 1.0
 
 
 def _point(chance: np.random.Generator) -> Ring | ArmTip:
@@ -127,7 +125,7 @@ def preset(chance: np.random.Generator) -> Draw:
         update={"arms": vehicle.arms.model_copy(update={"end_stops": stops})}
     )
     surface = SURFACES[("wall", "mat")[chance.integers(2)]].surface(ThreeHalves)
-    surface = surface._replace(friction_axes=_axes(chance))
+    surface = surface._replace(vertical=_axes(chance))
     return drawn(chance, vehicle, surface, _point(chance), (0.5, 5.0), 3.0)
 
 
@@ -164,7 +162,7 @@ def extreme(chance: np.random.Generator) -> Draw:
     exponent = 1.0 if law == 2 else n
     surface = Surface(
         _log(chance, 10.0, 1e7), _log(chance, 0.01, 10.0) if law == 0 else 0.0, viscosity,
-        AnyExponent(exponent), chance.uniform(0.0, 3.0), BothTangents(0.0), 0.03, -1.0,
+        AnyExponent(exponent), chance.uniform(0.0, 3.0), 0.0, 0.03, -1.0,
     )  # fmt: skip
     finest = 0.98 * STABLE / max(vehicle.fastest_arm_rate(), 1.0)
     default = max(timing_for(vehicle)[2:4])
@@ -190,7 +188,7 @@ def _kind(draw: Draw) -> str:
     """Properties that the flights of a batch must share."""
     m = draw.model
     surface = m.world.obstacles[0].surface
-    return f"{type(m.contact_point).__name__} {type(surface.friction_axes).__name__}"
+    return f"{type(m.contact_point).__name__} {surface.vertical}"
 
 
 def flown(draws: Sequence[Draw], threads: int | None = None) -> list[Found]:

@@ -93,10 +93,11 @@ PLANS = {
                 "restitution": 0.3 + 0.01 * k, "restitution_speed": 2.0}}]
         }
     ),
-    "impulses": holding(
+    "impulses": holding(  # in a scene: the same one for all
+        start=lambda k: {"velocity": [0.01 * k, 0.0, 0.0]},
         world=lambda k: {
             "obstacles": [{"type": "wall", "distance": 2.0, "surface": {
-                "law": "impulse", "restitution": 0.3 + 0.01 * k}}]
+                "law": "impulse", "restitution": 0.3}}]
         }
     ),
     "mats": holding(

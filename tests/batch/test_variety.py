@@ -210,11 +210,9 @@ def test_every_number_is_traced() -> None:
     for path in places_of_floats(full):
         if path in (("clock",), ("simulation", "duration")):  # of a batch
             continue
-        if path == (
-            "vehicle",
-            "arms",
-            "height",
-        ):  # raised ends are another structure than level ones
+        if path == ("vehicle", "arms", "height"):  # raised ends: another structure than level ones
+            continue
+        if path[-2:] == ("surface", "exponent"):  # other than 3/2: a scene, each by itself
             continue
         tables = [changed(full, path, k) for k in range(FEW)]
         together = [k for many in built(tables) for k in many.flights]

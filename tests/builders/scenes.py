@@ -6,14 +6,7 @@ from typing import Any
 
 from springback.contact.cage import ArmTip, Ring
 from springback.contact.obstacles import Forces, Obstacle, Plane, World
-from springback.contact.surfaces import (
-    AnyExponent,
-    BothTangents,
-    Linear,
-    Surface,
-    ThreeHalves,
-    VerticalTangent,
-)
+from springback.contact.surfaces import AnyExponent, Surface, ThreeHalves
 from springback.dynamics.air import Still
 from springback.dynamics.motion import Free, Slider
 from springback.kernels.vectors import Mat3, Vec
@@ -24,7 +17,6 @@ from springback.vehicle.state import Arm, State, build_airframe
 LENGTH, CAGE = 0.19, 0.11
 #: Outcome of every scene with a wall: the face that a nose pointing along +X meets at x = 0.
 FACE = Plane(Vec(-1.0, 0.0, 0.0), 0.0)
-EXPONENTS = {1.0: Linear, 1.5: ThreeHalves}
 
 
 def surface(
@@ -39,8 +31,8 @@ def surface(
     restitution: float = -1.0,
 ) -> Surface:
     """A surface by its numbers; `dissipation` is d = 1.5 c_a."""
-    law = EXPONENTS.get(exponent, AnyExponent)(exponent)
-    axes = VerticalTangent(0.0) if vertical_only else BothTangents(0.0)
+    law = ThreeHalves(exponent) if exponent == 1.5 else AnyExponent(exponent)
+    axes = 1.0 if vertical_only else 0.0
     return Surface(stiffness, dissipation, viscosity, law, friction, axes, slip_speed, restitution)
 
 

@@ -1,4 +1,4 @@
-"""Structures that the compiler sees: one for all worlds of built-in shapes at rest, few in all."""
+"""Structures that the compiler sees: one for all scenes of built-in shapes at rest, few in all."""
 
 from __future__ import annotations
 
@@ -97,35 +97,64 @@ def test_hulls_of_any_kind_are_one() -> None:
     assert len(structures(flights)) == 1
 
 
-def test_planes_alone_are_three_and_then_a_scene() -> None:
-    """One, two and three faces; a mat is two."""
+def test_planes_alone_are_two_and_then_a_scene() -> None:
+    """One and two faces, whatever friction opposes; a mat is two.  Other laws make scenes."""
     mat = {"type": "mat", "distance": 20.0, "surface": "mat", "backing": "wall"}
-    planes = [throw(*[PLANE] * count) for count in (1, 2, 3)]
-    assert len(structures(planes)) == 3
-    assert structures([throw(mat, PLANE)]) <= structures(planes)
+    upright = {**PLANE, "surface": {"preset": "wall", "friction_axes": "vertical"}}
+    planes = [throw(*[PLANE] * count) for count in (0, 1, 2)]
+    assert len(structures(planes)) == 2
+    assert structures([throw(mat), throw(upright), throw(PLANE, upright)]) <= structures(planes)
     scene = structures([throw(obstacle("pole"))])
-    assert structures([throw(*[PLANE] * 4), throw(mat, mat), throw(*[PLANE] * 9)]) == scene
+    assert structures([throw(*[PLANE] * 3), throw(mat, PLANE), throw(*[PLANE] * 9)]) == scene
+    others = LAWS[1:4]
+    assert (
+        structures([throw({**PLANE, "surface": {"preset": "wall", **law}}) for law in others])
+        == scene
+    )
+
+
+def moving(count: int) -> list[dict[str, Any]]:
+    """Poles that slide along."""
+    motion = {"type": "constant", "velocity": [1.0, 0.0, 0.0]}
+    return [
+        {**obstacle("pole"), "position": [5.0 + k, 0, 0], "motion": motion} for k in range(count)
+    ]
+
+
+def test_what_moves_is_two_structures() -> None:
+    """Up to two obstacles, and up to eight; other shapes, motions and laws are the same."""
+    few = [throw(*moving(1)), throw(*moving(2), PLANE), throw(*moving(1), obstacle("stairs"))]
+    many = [throw(*moving(count)) for count in (3, 5, 8)]
+    assert len(structures(few)) == len(structures(many)) == 1
+    assert len(structures([*few, *many])) == 2
 
 
 def test_what_is_compiled_ahead_serves_every_scene_of_the_presets() -> None:
-    """With `springback doctor --compile` no scene of built-in shapes has to be compiled again."""
+    """With `springback doctor --compile` no scene of built-in shapes has to be compiled again.
+
+    But one with bristles, or with more than two obstacles that move.
+    """
     ahead = {one.kind.key for one in kinds_of(COMMON)}
     assert len(ahead) == 2 * len(COMMON)
     pilot, recovers = (
         COMMON[name] for name in ("a pilot's flight among shapes", "a recovery among shapes")
     )
-    for name in nonempty(ALL):
-        world = {"world": {"obstacles": [obstacle(name)]}}
+    ground = {"type": "ground", "surface": "wall"}
+    worlds = [[obstacle(name)] for name in ALL]
+    worlds += [[{**PLANE, "surface": {"preset": "wall", **law}}] for law in LAWS]
+    worlds += [[PLANE, ground], [PLANE, PLANE, ground], [*moving(1), ground], [*moving(2), PLANE]]
+    for world in nonempty(worlds):
+        there = {"world": {"obstacles": world}}
         for alone in (True, False):
-            for flown in (throw(obstacle(name)), {**pilot, **world}, {**recovers, **world}):
+            for flown in (throw(*world), {**pilot, **there}, {**recovers, **there}):
                 [kind] = flight_kinds([flown], alone=alone)
-                assert kind.key in ahead
+                assert kind.key in ahead, world
 
 
-def test_examples_among_shapes_at_rest_are_compiled_ahead() -> None:
+def test_examples_among_shapes_are_compiled_ahead() -> None:
     """With their pilots, recoveries and settings of these, if the vehicle's hull is a preset's."""
     ahead = {one.kind.key for one in kinds_of(COMMON)}
-    for name in ("pole", "window", "doorway", "forest", "imported_world"):
+    for name in ("pole", "window", "doorway", "forest", "imported_world", "door"):
         tables = as_scenario(EXAMPLES / f"{name}.toml").model_dump(exclude_unset=True)
         [kind] = flight_kinds([tables], alone=True)
         assert kind.key in ahead, name

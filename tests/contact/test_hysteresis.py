@@ -53,7 +53,7 @@ LAWS: dict[str, dict[str, Any]] = {
 
 
 def surface(**given: Any) -> Surface:
-    return SurfaceSettings.model_validate(given).surface(AnyExponent, by_number=True)
+    return SurfaceSettings.model_validate(given).surface(AnyExponent, in_scene=True)
 
 
 def no_memory(points: int = 3) -> PressedPoints:

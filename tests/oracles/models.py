@@ -18,7 +18,7 @@ from scipy.spatial.transform import Rotation
 from springback.contact.cage import ArmTip, Ring
 from springback.contact.moving.scene import MovingScene
 from springback.contact.obstacles import Forces, Impulses, Obstacle, Plane, World
-from springback.contact.surfaces import BothTangents, Surface, ThreeHalves, VerticalTangent
+from springback.contact.surfaces import Surface, ThreeHalves
 from springback.contact.worlds import obstacles
 from springback.dynamics.air import Still
 from springback.dynamics.energy import Energy, energy
@@ -199,14 +199,13 @@ def world_of(scene: Scene) -> World:
         built = flown_scene(built) if isinstance(built, MovingScene) else built
         return World(built, Forces(0.0), scene.gravity)
     wall = scene.wall
-    axes = BothTangents(0.0) if scene.friction_axes == "both" else VerticalTangent(0.0)
     surface = Surface(
         stiffness=wall.stiffness,
         dissipation=wall.dissipation,
         viscosity=0.0,
         exponent=ThreeHalves(1.5),
         friction=wall.friction,
-        friction_axes=axes,
+        vertical=1.0 if scene.friction_axes == "vertical" else 0.0,
         slip_speed=wall.slip_speed,
         restitution=wall.restitution,
     )

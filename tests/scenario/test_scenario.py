@@ -202,6 +202,29 @@ def test_a_run_up_has_time_to_arrive_unless_told_how_long() -> None:
     assert as_scenario({"vehicle": "arq"}).simulation.duration == 0.5
 
 
+def test_a_run_up_that_arrives_after_the_end_is_warned_of() -> None:
+    """And one after which the recovery has no time to settle."""
+    slow = ("reference.speed=1 m/s", "simulation.duration=5 s")
+    [said] = scenario_warnings(as_scenario(RUN_UP, slow))
+    assert said.endswith(
+        "reaches the wall at 5.63 s and the flight ends at 5 s, so that nothing is hit"
+    )
+    recovers = {**RUN_UP, "recovery": {}}
+    [said] = scenario_warnings(as_scenario(recovers, (slow[0],)))
+    assert "reaches the wall at 5.63 s and the flight ends at 6 s; a recovery settles" in said
+    assert scenario_warnings(as_scenario(RUN_UP, (slow[0],))) == []
+    assert scenario_warnings(as_scenario(recovers, ("reference.speed=2 m/s",))) == []
+
+
+def test_a_recovery_from_a_jump_of_velocity_is_warned_of() -> None:
+    """The impulse law moves no arm, which the trigger waits for."""
+    jump = {"type": "wall", "distance": 2.75, "surface": {"law": "impulse", "restitution": 0.5}}
+    there = {**RUN_UP, "world": {"obstacles": [jump]}}
+    [said] = scenario_warnings(as_scenario({**there, "recovery": {}}))
+    assert said.startswith("world.obstacles[0]: its impulse law changes velocities at once")
+    assert scenario_warnings(as_scenario(there)) == []
+
+
 def test_a_run_up_turns_away_from_a_yaw_at_the_start_and_says_so() -> None:
     turned = as_scenario(RUN_UP, ("start.yaw=45deg",))
     [said] = scenario_warnings(turned)

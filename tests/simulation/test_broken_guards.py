@@ -189,7 +189,7 @@ def test_under_every_law_the_energy_closes(guard: str, law: str) -> None:
 def test_all_of_a_load_is_the_share_of_that_of_a_whole_guard(law: str) -> None:
     """At the same depth and rate, going in and coming out: force, moment, friction, heat, bounds."""
     given = SurfaceSettings.model_validate(LAWS[law] | {"friction": 0.4})
-    of = given.surface(AnyExponent, by_number=True)
+    of = given.surface(AnyExponent, in_scene=True)
     arm = ArmPose(Vec(1.0, 0.0, 0.0), Vec(0.19, 0.0, 0.0), Vec(0.8, 0.3, -0.2))
     point = no_point()._replace(place=Vec(0.3, 0.0, 0.0), inward=Vec(1.0, 0.0, 0.0), depth=0.006)
     at = Support(*(Vec(0.11, 0.0, 0.0),) * 3, 0.0)

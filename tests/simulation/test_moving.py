@@ -297,6 +297,17 @@ def test_many_moving_obstacles_at_once() -> None:
     assert "obstacle5_z" not in flight.columns
 
 
+@pytest.mark.parametrize("moving", [1, 2, 3])
+def test_gaps_of_each_obstacle_are_told_however_many_move(moving: int) -> None:
+    """The least of all is that of the world."""
+    balls = [ball((0.6 + 0.1 * k, 0.3 * k, 0.1), type="constant", velocity=[-1.0, 0.0, 0.0])
+             for k in range(moving)]  # fmt: skip
+    flight = fly(tables(*balls, {**BALL, "position": [0.9, 0.0, 0.0]}, duration=0.05))
+    each = np.stack([flight.gap(k) for k in range(moving + 1)])
+    assert each.min(axis=0) == pytest.approx(flight.gap(), abs=1e-12)
+    assert (np.argmin(each[:, -1], axis=0) != moving).any()  # a moving one is nearest to a part
+
+
 WRONG: dict[str, tuple[dict[str, Any], str]] = {
     "no mass": ({"type": "free"}, "mass"),
     "mass 0": ({"type": "free", "mass": 0.0}, "motion.mass: must be more than 0 kg"),

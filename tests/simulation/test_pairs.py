@@ -291,7 +291,7 @@ def test_a_cage_of_any_size_is_a_disc_as_large(radius: float) -> None:
     vehicle = scenario_from(
         {"vehicle": {"preset": "quad", "arms": {"cage_radius": radius}}, "thrust": "hover"}
     ).vehicle
-    law = SURFACE.surface(AnyExponent, by_number=True)
+    law = SURFACE.surface(AnyExponent, in_scene=True)
     scene = scene_of_part(solids_of(vehicle)[0], law)
     for x in nonempty((radius, 2.0 * radius, 3.0)):
         assert distance_of(scene, Vec(x, 0.0, 0.0)) == pytest.approx(x - radius, abs=1e-12)

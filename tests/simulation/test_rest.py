@@ -11,7 +11,7 @@ import pytest
 from builders.cases import nonempty
 from springback.batch.scenarios import fly_scenarios
 from springback.contact.laws.bristles import bristle_friction, bristle_load
-from springback.contact.surfaces import BothTangents, Surface, ThreeHalves
+from springback.contact.surfaces import Surface, ThreeHalves
 from springback.kernels.vectors import Vec, norm
 from springback.results.flight import Flight, fly
 from springback.results.motion import angular_acceleration
@@ -69,7 +69,7 @@ def speeds(flight: Flight) -> tuple[float, float]:
 
 # -- the law ---------------------------------------------------------------------------------------
 
-LAW = Surface(2e5, 0.4, 0.0, ThreeHalves(1.5), 0.8, BothTangents(0.0), 0.03, -1.0, 1e-4, 0.0)
+LAW = Surface(2e5, 0.4, 0.0, ThreeHalves(1.5), 0.8, 0.0, 0.03, -1.0, 1e-4, 0.0)
 
 
 def test_sliding_friction_is_coulombs() -> None:

@@ -251,7 +251,7 @@ def test_campaigns_vary_what_a_shape_is_made_of() -> None:
             assert np.isnan(row) if value is None else row == value, name
 
 
-def test_the_gap_is_exact_to_each_obstacle_by_number() -> None:
+def test_the_gap_is_exact_to_each_obstacle_in_scene() -> None:
     """The nearest of all, and each alone; also where the flight itself uses lower bounds."""
     pole = {"type": "pole", "position": [2.6, 0.3, 0.0], "radius": 0.05}
     ball = {"type": "sphere", "position": [2.6, -0.4, 1.0], "radius": 0.1}

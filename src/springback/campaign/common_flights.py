@@ -1,15 +1,15 @@
 """Compilation ahead: kernels of the common kinds of flight, or of scenarios of one's own.
 
 A world of built-in shapes at rest is one structure to the compiler, whatever they are and however
-many.  So few kinds of flight serve nearly all scenarios, and they can be compiled before the first
-is flown.
+many; one or two planes, and what moves, are others.  So few kinds of flight serve nearly all
+scenarios, and they can be compiled before the first is flown.
 """
 
 from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
-from concurrent.futures import Future, ProcessPoolExecutor, as_completed
+from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
 from multiprocessing import get_context
 from typing import Any, NamedTuple
 
@@ -21,9 +21,11 @@ from springback.campaign.compiler_times import (
 )
 
 _WALL: dict[str, Any] = {"type": "wall", "distance": "2.75 m", "surface": "wall"}
+_GROUND: dict[str, Any] = {"type": "ground", "surface": "wall"}
 _POLE: dict[str, Any] = {
     "type": "pole", "position": ["2.85 m", 0, 0], "radius": "10 cm", "surface": "wall",
 }  # fmt: skip
+_SLIDING: dict[str, Any] = {**_POLE, "motion": {"type": "constant", "velocity": ["1 m/s", 0, 0]}}
 _THROWN: dict[str, Any] = {
     "vehicle": "arq", "thrust": "hover",
     "start": {"position": ["2.3 m", 0, "1 m"], "velocity": ["2 m/s", 0, 0]},
@@ -34,13 +36,23 @@ _FLOWN: dict[str, Any] = {
     "reference": {"type": "run-up", "speed": "2 m/s"},
     "simulation": {"duration": "0.1 s"},
 }
+_FLIGHTS: dict[str, dict[str, Any]] = {
+    "a throw": _THROWN,
+    "a pilot's flight": _FLOWN,
+    "a recovery": {**_FLOWN, "recovery": {}},
+}
+#: Those without a scene first: others are compiled while the search of scenes is.
+_WORLDS: dict[str, list[dict[str, Any]]] = {
+    "at a wall": [_WALL],
+    "at a wall above the ground": [_WALL, _GROUND],
+    "among shapes": [_POLE],
+    "among shapes of which some move": [_POLE, _SLIDING],
+}
 #: Scenarios of the common kinds, by what they are.
 COMMON: dict[str, dict[str, Any]] = {
-    "a throw at a wall": {**_THROWN, "world": {"obstacles": [_WALL]}},
-    "a throw among shapes": {**_THROWN, "world": {"obstacles": [_POLE]}},
-    "a pilot's flight at a wall": {**_FLOWN, "world": {"obstacles": [_WALL]}},
-    "a pilot's flight among shapes": {**_FLOWN, "world": {"obstacles": [_POLE]}},
-    "a recovery among shapes": {**_FLOWN, "recovery": {}, "world": {"obstacles": [_POLE]}},
+    f"{flight} {where}": {**tables, "world": {"obstacles": obstacles}}
+    for where, obstacles in _WORLDS.items()
+    for flight, tables in _FLIGHTS.items()
 }
 
 
@@ -49,6 +61,10 @@ class NamedKind(NamedTuple):
 
     name: str
     kind: FlightKind
+
+
+#: Time between two looks at what has been compiled [s].
+OFTEN = 0.2
 
 
 class CompiledKind(NamedTuple):
@@ -69,31 +85,53 @@ def kinds_of(scenarios: Mapping[str, Mapping[str, Any]]) -> list[NamedKind]:
     return list(found.values())
 
 
-class CompilerPlan(NamedTuple):
-    """What is to be compiled, and how long it takes."""
+def compile_ahead(scenarios: Mapping[str, Mapping[str, Any]]) -> Iterator[CompiledKind]:
+    """Compile the kinds of flight of some scenarios, side by side on all processors.
 
-    missing: tuple[NamedKind, ...]
-    cached: tuple[NamedKind, ...]
-    seconds: float
-    """Estimate of the processor time [s]."""
+    What flies in the same world shares most of what is compiled, so one process takes it all.
+
+    Args:
+        scenarios: By name.
+
+    Yields:
+        Each kind when it is in the cache.
+    """
+    context, running = get_context("spawn"), set[Future[None]]()
+    compiled = context.Queue()
+    with ProcessPoolExecutor(os.cpu_count() or 1, context, _report_to, (compiled,)) as pool:
+        for together in _by_world(scenarios):
+            kinds = kinds_of(together)
+            missing = [one for one in kinds if not compiler_time(one.kind, {}).cached]
+            yield from (CompiledKind(one.name, 0.0) for one in kinds if one not in missing)
+            if missing:
+                running.add(pool.submit(_compile_all, missing))
+        while running:
+            finished, running = wait(running, OFTEN, FIRST_COMPLETED)
+            for one in finished:
+                one.result()  # raises what it raised
+            while not compiled.empty():
+                yield compiled.get()
+    while not compiled.empty():
+        yield compiled.get()
 
 
-def plan_of(kinds: Sequence[NamedKind]) -> CompilerPlan:
-    """What of some kinds is not in the cache, as far as the record says."""
-    times = [(one, compiler_time(one.kind, {})) for one in kinds]
-    missing = tuple(one for one, time in times if not time.cached)
-    cached = tuple(one for one, time in times if time.cached)
-    return CompilerPlan(missing, cached, sum(t.seconds for _, t in times if not t.cached))
+def _by_world(scenarios: Mapping[str, Mapping[str, Any]]) -> list[dict[str, Mapping[str, Any]]]:
+    """Scenarios in groups of the same world."""
+    groups: dict[str, dict[str, Mapping[str, Any]]] = {}
+    for name, tables in scenarios.items():
+        groups.setdefault(repr(tables.get("world")), {})[name] = tables
+    return list(groups.values())
 
 
-def compile_ahead(plan: CompilerPlan) -> Iterator[CompiledKind]:
-    """Compile what is missing, side by side on all processors; each kind is yielded when done."""
-    if not plan.missing:
-        return
-    workers = min(len(plan.missing), os.cpu_count() or 1)
-    with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
-        running: dict[Future[float], str] = {
-            pool.submit(compile_kind, one.kind, {}): one.name for one in plan.missing
-        }
-        for done in as_completed(running):
-            yield CompiledKind(running[done], done.result())
+def _report_to(compiled: Any) -> None:
+    _REPORTS.append(compiled)
+
+
+def _compile_all(kinds: Sequence[NamedKind]) -> None:
+    """Compile some kinds of flight in a worker process, and report each."""
+    for one in kinds:
+        _REPORTS[-1].put(CompiledKind(one.name, compile_kind(one.kind, {})))
+
+
+#: Queue of a worker process, for what it has compiled.
+_REPORTS: list[Any] = []

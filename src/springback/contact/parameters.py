@@ -10,13 +10,9 @@ from springback.contact.laws.restitution import dissipation_for
 from springback.contact.moving.parameters import GivenMotions
 from springback.contact.obstacles import Plane
 from springback.contact.surfaces import (
-    AnyTangent,
-    BothTangents,
     Exponent,
-    FrictionAxes,
     Hysteresis,
     Surface,
-    VerticalTangent,
 )
 from springback.kernels.tracing import hypot, sqrt  # for batch set-up
 from springback.kernels.vectors import Vec
@@ -145,30 +141,27 @@ class SurfaceSettings(HystereticSettings):
         """Exponent n of the law."""
         return 1.0 if self.law == "kelvin-voigt" else self.exponent
 
-    def surface(self, exponent: type[Exponent], by_number: bool = False) -> Surface:
+    def surface(self, exponent: type[Exponent], in_scene: bool = False) -> Surface:
         """Numbers for one cage; types are chosen for the whole world.
 
         Args:
             exponent: Type of the exponent.
-            by_number: True if the axes of friction are told by a number, false for a type.
+            in_scene: True if it is one of many of a scene, whose contacts may have memory.
         """
-        impulse, both = self.law == "impulse", self.friction_axes == "both"
+        impulse = self.law == "impulse"
         n: Exponent = exponent(self.exponent_value())
-        axes: FrictionAxes = BothTangents(0.0) if both else VerticalTangent(0.0)
-        if by_number:
-            axes = AnyTangent(0.0 if both else 1.0)
         return Surface(
             stiffness=0.0 if impulse else self.stiffness / self.shared_by,
             dissipation=1.5 * self.dissipation_value(),
             viscosity=0.0 if impulse else self.viscosity / self.shared_by,
             exponent=n,
             friction=self.friction,
-            friction_axes=axes,
+            vertical=1.0 if self.friction_axes == "vertical" else 0.0,
             slip_speed=self.slip_speed,
             restitution=(self.restitution or 0.0) if impulse else -1.0,
             presliding=self.presliding if self.friction_law == "bristle" else 0.0,
             rolling=self.rolling_resistance,
-            hysteresis=(self._hysteresis(),) if by_number else (),
+            hysteresis=(self._hysteresis(),) if in_scene else (),
         )
 
     def _hysteresis(self) -> Hysteresis:

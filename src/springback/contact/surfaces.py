@@ -24,40 +24,13 @@ class ThreeHalves(NamedTuple):
     value: float
 
 
-class Linear(NamedTuple):
-    """Exponent 1."""
-
-    value: float
-
-
 class AnyExponent(NamedTuple):
     """Any exponent, by the power function: a step takes about twice as long."""
 
     value: float
 
 
-Exponent = ThreeHalves | Linear | AnyExponent
-
-
-class BothTangents(NamedTuple):
-    """Friction opposes the slip in the tangent plane."""
-
-    unused: float
-
-
-class VerticalTangent(NamedTuple):
-    """Friction opposes only the vertical part of the slip, as in the paper's eq. (14)."""
-
-    unused: float
-
-
-class AnyTangent(NamedTuple):
-    """The one or the other, by a number: where a world has many surfaces."""
-
-    vertical: float  # 1: as `VerticalTangent`, 0: as `BothTangents`
-
-
-FrictionAxes = BothTangents | VerticalTangent | AnyTangent
+Exponent = ThreeHalves | AnyExponent
 
 
 class Hysteresis(NamedTuple):
@@ -76,7 +49,7 @@ class Surface(NamedTuple):
     viscosity: float  # b, Kelvin-Voigt only [N s/m]
     exponent: Exponent  # n
     friction: float  # μ
-    friction_axes: FrictionAxes  # along which friction acts
+    vertical: float  # 1: friction opposes only the vertical part of the slip, eq. (14)
     slip_speed: float  # below which friction is regularised [m/s]
     restitution: float  # e of the impulse law; negative for a force law
     presliding: float = 0.0  # slip at which bristles let go [m]; 0: it has none
@@ -120,12 +93,6 @@ def _three_halves(exponent: ThreeHalves, depth: float) -> float:
     return depth * math.sqrt(depth)
 
 
-@power.register(Linear)
-@kernel
-def _linear(exponent: Linear, depth: float) -> float:
-    return depth
-
-
 @generic
 def steepest(exponent: Exponent, depth: float, ahead: float) -> float:
     """Upper bound on the derivative n xⁿ⁻¹ for depths x from δ to a little more, or less if n < 1.
@@ -147,12 +114,6 @@ def steepest(exponent: Exponent, depth: float, ahead: float) -> float:
 def _steepest_three_halves(exponent: ThreeHalves, depth: float, ahead: float) -> float:
     # √(δ + Δ) ≤ √δ + √Δ: the force takes the first root anyway and all cages share the other.
     return 1.5 * (math.sqrt(depth) + math.sqrt(ahead))
-
-
-@steepest.register(Linear)
-@kernel
-def _steepest_linear(exponent: Linear, depth: float, ahead: float) -> float:
-    return 1.0
 
 
 class NormalForce(NamedTuple):
@@ -199,39 +160,23 @@ def share_of_force(whole: NormalForce, share: float) -> NormalForce:
     )
 
 
-@generic
-def rubbing(axes: FrictionAxes, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
-    """Part of a slip velocity that friction opposes [m/s].
+@kernel
+def slip_velocity(surface: Surface, velocity: Vec, normal: Vec, vertical: Vec) -> Vec:
+    """Part of a velocity along the surface that friction opposes [m/s].
+
+    All of it, or its vertical part, as in the paper's eq. (14).
 
     Args:
-        axes: `BothTangents`, `VerticalTangent` or `AnyTangent`.
-        slip: Velocity along the surface [m/s].
+        surface: Which of the two.
+        velocity: Of the contact point [m/s].
         normal: Unit normal of the surface.
         vertical: e_Z, in the same axes as the others.
     """
-    return slip
-
-
-@rubbing.register(VerticalTangent)
-@kernel
-def _vertical(axes: VerticalTangent, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
-    up = vertical - (vertical @ normal) * normal  # e_Z along the surface; zero on a floor
-    return up * ((slip @ up) / (up @ up + 1e-12))
-
-
-@rubbing.register(AnyTangent)
-@kernel
-def _either(axes: AnyTangent, slip: Vec, normal: Vec, vertical: Vec) -> Vec:
-    upright = rubbing(VerticalTangent(0.0), slip, normal, vertical)
-    opposed: Vec = select(axes.vertical > 0.0, upright, slip)
-    return opposed
-
-
-@kernel
-def slip_velocity(surface: Surface, velocity: Vec, normal: Vec, vertical: Vec) -> Vec:
-    """Part of a velocity along the surface that friction opposes [m/s]."""
     slip = velocity - (velocity @ normal) * normal
-    return rubbing(surface.friction_axes, slip, normal, vertical)
+    up = vertical - (vertical @ normal) * normal  # e_Z along the surface; zero on a floor
+    upright = up * ((slip @ up) / (up @ up + 1e-12))
+    opposed: Vec = select(surface.vertical > 0.0, upright, slip)
+    return opposed
 
 
 class Friction(NamedTuple):

@@ -1,8 +1,8 @@
 """Obstacles of a world, built from their settings: planes one by one, or all solids as a scene.
 
-Each number of planes, with its laws, is a structure of its own to the compiler, and the fastest; a
-scene is one structure whatever it holds (docs/decisions/0027).  A world becomes a scene with its
-first obstacle that is not plane, and with its fourth plane.
+One plane and two of them are structures of their own to the compiler, and the fastest; a scene is
+one structure whatever it holds (docs/decisions/0027).  A world is a scene with its first obstacle
+that is not plane, with its third plane, and with a law that is not of exponent 3/2.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ from springback.contact.parameters import Ground, Mat, SurfaceSettings, Wall, fa
 from springback.contact.scene.faces import SolidScene
 from springback.contact.scene.table import MOST_SOLIDS, Solid, scene_of
 from springback.contact.shapes import ShapeSettings, SolidPart, half_space
-from springback.contact.surfaces import AnyExponent, Linear, ThreeHalves, remembers
+from springback.contact.surfaces import AnyExponent, ThreeHalves, remembers
 from springback.contact.unions import ShapeUnion, SingleShape
 from springback.kernels.routines import NumberTable
 from springback.kernels.vectors import Vec
@@ -34,8 +34,9 @@ Shape = SingleShape | ShapeUnion
 BuiltIn = Wall | Ground | Mat | Shape
 ObstacleSettings = Annotated[BuiltIn, Field(discriminator="type")]
 
-#: Most planes that are no scene: a mat, what is behind it, and the ground (chosen).
-MOST_PLANES = 3
+#: Most planes that are no scene: a wall and the ground, or a mat and what is behind it (chosen:
+#: each number is compiled ahead, `springback.campaign.common_flights`).
+MOST_PLANES = 2
 #: Scenes that are remembered (chosen: one of 10 000 trunks takes 3 MB).
 LATEST = 16
 
@@ -43,13 +44,14 @@ LATEST = 16
 Own = tuple[Any, SurfaceSettings]
 
 
-def _exponent_type(values: list[float]) -> type[Any]:
-    """The exponent type common to all faces, so that they form one compiled structure."""
-    if all(value == 1.5 for value in values):
-        return ThreeHalves
-    if all(value == 1.0 for value in values):
-        return Linear
-    return AnyExponent
+def _is_common(law: SurfaceSettings) -> bool:
+    """True for the laws of planes that are no scene: forces with the exponent 3/2."""
+    return law.law != "impulse" and law.exponent_value() == 1.5
+
+
+def _has_memory(law: SurfaceSettings) -> bool:
+    """True for a law whose contacts have a state of their own, which only scenes keep."""
+    return law.friction_law == "bristle" or law.law in REMEMBERING
 
 
 def obstacles(
@@ -73,14 +75,16 @@ def obstacles(
     if any(_moves(entry) for entry in settings):
         return _moving_scene(settings, own, numbers or range(len(settings)))
     laws = [law for entry in settings for law in surfaces_of(entry)] + [law for _, law in own]
-    holds = any(law.friction_law == "bristle" or law.law in REMEMBERING for law in laws)
     planes = [entry for entry in settings if not isinstance(entry, ShapeSettings)]
     all_faces: list[tuple[Any, SurfaceSettings, float]] = []
     all_faces += [face for entry in planes for face in faces(entry)]
-    if as_scene or holds or len(planes) < len(settings) or len(all_faces) > MOST_PLANES:
+    few = len(planes) == len(settings) and len(all_faces) <= MOST_PLANES
+    known = bool(own) or all(map(_is_common, laws))
+    if as_scene or not few or not known or any(map(_has_memory, laws)):
         return _scene(settings, own)
     all_faces += _own_faces(own)
-    exponent = _exponent_type([surface.exponent_value() for _, surface, _ in all_faces])
+    common = all(surface.exponent_value() == 1.5 for _, surface, _ in all_faces)
+    exponent = ThreeHalves if common else AnyExponent
     if not all_faces:
         nowhere = SurfaceSettings(law="hertz").surface(ThreeHalves)
         return (Obstacle(Plane(Vec(0.0, 0.0, 1.0), -1e9), nowhere, 0.0),)
@@ -100,8 +104,8 @@ def alone(entry: BuiltIn, number: int) -> SolidScene | MovingScene:
     assert isinstance(built, SolidScene | MovingScene)
     if isinstance(built, SolidScene):
         return built
-    [body] = built.bodies
-    return built._replace(bodies=(body._replace(obstacle=float(number)),))
+    body, *absent = built.bodies
+    return built._replace(bodies=(body._replace(obstacle=float(number)), *absent))
 
 
 def _moves(entry: BuiltIn) -> bool:
@@ -166,7 +170,7 @@ def _own_faces(own: Sequence[Own]) -> list[tuple[Any, SurfaceSettings, float]]:
 def _scene(settings: Sequence[BuiltIn], own: Sequence[Own]) -> SolidScene:
     """All obstacles as a scene."""
     beside = tuple(
-        Obstacle(shape, law.surface(AnyExponent, by_number=True), ground)
+        Obstacle(shape, law.surface(AnyExponent, in_scene=True), ground)
         for shape, law, ground in _own_faces(own)
     )
     built = _scene_of_built_in(tuple(settings))
@@ -194,5 +198,5 @@ def _scene_of_built_in(settings: tuple[BuiltIn, ...]) -> SolidScene:
             solids.append(Solid(*half_space(plane.normal, plane.offset), surface, ground, owner))
     if len(solids) > MOST_SOLIDS:
         raise problem(f"hold {len(solids)} solids; the most is {MOST_SOLIDS}", "world.obstacles")
-    surfaces = [law.surface(AnyExponent, by_number=True) for law in laws]
+    surfaces = [law.surface(AnyExponent, in_scene=True) for law in laws]
     return scene_of(solids, surfaces)

@@ -14,6 +14,7 @@ from typing import Any, NamedTuple
 from springback.contact.cage import LANDED, BodyMotion, FaceMotion, contact_faces, lowest_gap
 from springback.contact.loads import CageContact, face_contact
 from springback.contact.moving.bodies import (
+    ABSENT,
     CARRIED,
     FREE,
     GIVEN,
@@ -330,6 +331,8 @@ def _rates_by_routine(
     at: VehiclePlace,
     gravity: float,
 ) -> BodyRates:
+    if body.kind == ABSENT:
+        return _no_rates()
     still = obstacles.still
     asked = BodySituation(
         body, state, motion, reaction, flags, still.table, still.query, at, gravity

@@ -45,10 +45,17 @@ def zeros(*shape: int) -> Buffer:
 
 
 def structure(tree: Any) -> Any:
-    """The types in a tree, nested alike; equal for trees that differ in numbers only."""
+    """The types in a tree, nested alike; equal for trees that differ in numbers only.
+
+    The address of a table is a number to the compiler, whether there is a table or not.
+    """
     if not isinstance(tree, tuple):
-        return type(tree)
-    inner = [structure(branch) if isinstance(branch, tuple) else type(branch) for branch in tree]
+        return float if isinstance(tree, float) else type(tree)
+    inner = [
+        float if isinstance(branch, float)
+        else structure(branch) if isinstance(branch, tuple) else type(branch)
+        for branch in tree
+    ]  # fmt: skip
     return (type(tree), *inner)
 
 

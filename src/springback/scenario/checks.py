@@ -457,7 +457,7 @@ def check_apart(
         second: The second vehicle.
         there: Its state at time 0.
     """
-    nothing, surface = obstacles((), as_scene=True), WALL.surface(AnyExponent, by_number=True)
+    nothing, surface = obstacles((), as_scene=True), WALL.surface(AnyExponent, in_scene=True)
     assert isinstance(nothing, SolidScene)
     still = with_hulls(nothing, RING_ROUNDING) if first.vehicle.hulls else nothing
     solids = solids_of(second)

@@ -8,10 +8,14 @@ from collections.abc import Set
 from pathlib import Path
 
 from springback.contact.parameters import PLANES
-from springback.control.demands import Demands, shortfalls
+from springback.contact.worlds import surfaces_of
+from springback.control.demands import Demands, Limits, shortfalls
 from springback.control.linear import warnings_for
 from springback.control.reference_parameters import CircleSettings, RunUpSettings
-from springback.scenario.avionics import limits_of, nominal_vehicle, propulsion_of
+from springback.control.runup import reach
+from springback.errors import InputError
+from springback.scenario.avionics import NominalVehicle, limits_of, nominal_vehicle, propulsion_of
+from springback.scenario.model import contact_point_of
 from springback.scenario.scenario import Scenario
 from springback.scenario.tables import ScenarioTables
 from springback.scenario.worlds.imported import Imported, single_obstacles
@@ -22,6 +26,8 @@ from springback.scenario.worlds.mesh_check import mesh_warnings
 APART = 0.2
 #: Yaw at the start of a run-up that is worth a warning [rad] (chosen: likewise).
 TURNED = 0.2
+#: Time in which a recovery settles after the touch [s] (measured: the paper's and ours).
+SETTLES = 1.5
 #: Obstacles with plane faces only.
 FLAT = (*PLANES, "box", "edge", "slope", "stairs", "net", "own")
 #: Tables that only the pilot of the paper reads.
@@ -87,7 +93,8 @@ def _warnings_of_the_pilot(scenario: ScenarioTables, own: bool, given: Set[str])
         return _unread(unread, "no pilot flies without a [reference]")
     lag = scenario.vehicle.propulsion.time_constant
     gains = warnings_for(scenario.control, scenario.vehicle.mass, lag)
-    return gains + _circle_shortfalls(scenario) + _two_starts(scenario) + _turned_away(scenario)
+    start = _two_starts(scenario) + _turned_away(scenario) + _arrives_late(scenario)
+    return gains + _circle_shortfalls(scenario) + start + _unfelt_jumps(scenario)
 
 
 def _unread(names: list[str], why: str) -> list[str]:
@@ -120,6 +127,49 @@ def _turned_away(scenario: ScenarioTables) -> list[str]:
     ]
 
 
+def _arrives_late(scenario: ScenarioTables) -> list[str]:
+    """A run-up that the flight's end cuts short, or the recovery after it."""
+    run_up, end = scenario.reference, scenario.simulation.duration
+    if not isinstance(run_up, RunUpSettings):
+        return []
+    believed, limits = _believed(scenario)
+    point = contact_point_of(scenario.model)
+    ahead = reach(believed.airframe, point, run_up.pitch, run_up.yaw)
+    try:
+        arrives = run_up.run_up(limits, lambda pitch: ahead, False).contact_time
+    except InputError:  # said where it is built
+        return []
+    when = f"the run-up reaches the wall at {arrives:.3g} s and the flight ends at {end:.3g} s"
+    if arrives >= end:
+        return [f"simulation.duration: {when}, so that nothing is hit"]
+    if scenario.recovery is not None and end - arrives < SETTLES:
+        return [
+            f"simulation.duration: {when}; a recovery settles in some {SETTLES:g} s, and counts as "
+            "not settled before"
+        ]
+    return []
+
+
+def _unfelt_jumps(scenario: ScenarioTables) -> list[str]:
+    """Surfaces of the impulse law before a recovery whose trigger reads the arms."""
+    if scenario.recovery is None:
+        return []
+    for k, entry in enumerate(scenario.world.obstacles):
+        for one in single_obstacles([entry]):
+            if any(surface.law == "impulse" for surface in surfaces_of(one)):
+                return [
+                    f"world.obstacles[{k}]: its impulse law changes velocities at once and moves "
+                    "no arm, so that sensors of arms see nothing: a recovery begins late or never"
+                ]
+    return []
+
+
+def _believed(scenario: ScenarioTables) -> tuple[NominalVehicle, Limits]:
+    """The pilot's model of the vehicle, and its limits."""
+    believed = nominal_vehicle(scenario.vehicle, propulsion_of(scenario), scenario.world.gravity)
+    return believed, limits_of(believed, scenario.control.rate_limit)
+
+
 def _circle_shortfalls(scenario: ScenarioTables) -> list[str]:
     """Demands of a circle at full speed beyond the limits.
 
@@ -128,8 +178,7 @@ def _circle_shortfalls(scenario: ScenarioTables) -> list[str]:
     circle = scenario.reference
     if not isinstance(circle, CircleSettings):
         return []
-    believed = nominal_vehicle(scenario.vehicle, propulsion_of(scenario), scenario.world.gravity)
-    limits = limits_of(believed, scenario.control.rate_limit)
+    _, limits = _believed(scenario)
     rate = 2.0 * math.pi / circle.period
     inwards = circle.radius * rate**2
     thrust, tilt = math.hypot(inwards, limits.gravity), math.atan2(inwards, limits.gravity)

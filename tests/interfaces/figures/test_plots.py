@@ -178,6 +178,29 @@ def test_energy_counts_a_fall_as_put_in_and_copes_with_nothing() -> None:
     assert style.png(plots.energy_figure(fallen))
 
 
+def test_energy_bars_of_a_flight_among_moving_obstacles_balance() -> None:
+    """What is put in, less what is lost, is what is left: with all that moves."""
+    ball = {"type": "sphere", "position": [0.55, 0, 1.0], "radius": 0.1, "surface": "wall"}
+    flight = fly({
+        "vehicle": "arq", "thrust": "hover",
+        "start": {"position": [0, 0, 1.0], "velocity": [2.0, 0, 0]},
+        "world": {"obstacles": [
+            {**ball, "motion": {"type": "pendulum", "mass": 0.5, "pivot": [0.55, 0, 2.0]}},
+            {**ball, "position": [-0.6, 0, 1.0],
+             "motion": {"type": "constant", "velocity": [3.0, 0, 0]}},
+        ]},
+        "simulation": {"duration": 0.3},
+    })  # fmt: skip
+    assert abs(flight.work_driven) > 0.1 < abs(flight.energy_obstacles)
+    (ax,) = plots.energy_figure(flight).axes
+    bars = zip(ax.get_yticklabels(), ax.patches, strict=True)
+    steps = {tick.get_text(): bar.get_width() for tick, bar in bars}
+    assert "work of driven obstacles" in steps
+    left = sum(value for name, value in steps.items() if name.startswith("left"))
+    most = max(map(abs, steps.values()))
+    assert sum(steps.values()) - left == pytest.approx(left, abs=5e-3 * most)
+
+
 def test_the_users_own_style_is_neither_used_nor_changed() -> None:
     plain = style.png(plots.energy_figure(fake_slider_flight()))
     with mpl.rc_context({"font.size": 30.0, "axes.grid": False, "text.usetex": True}):

@@ -35,6 +35,10 @@ ABSENT, GIVEN, FREE, PIVOTED, HINGED, CARRIED = -1.0, 0.0, 1.0, 2.0, 3.0, 4.0
 CHANNELS, PIECE = 4, 16
 
 
+_NONE = Vec(0.0, 0.0, 0.0)
+_NO_MATRIX = Mat3(_NONE, _NONE, _NONE)
+
+
 class GivenPath(NamedTuple):
     """A prescribed motion; the axis of its turning is that of the body."""
 
@@ -172,6 +176,8 @@ def _given_pose(body: MovingBody, time: float) -> BodyPose:
 @kernel
 def body_pose(body: MovingBody, state: BodyState) -> BodyPose:
     """Place and motion of a moving obstacle."""
+    if body.kind == ABSENT:
+        return BodyPose(_NONE, _NO_MATRIX, _NONE, _NONE)
     if body.kind == GIVEN:
         return _given_pose(body, state.position.x)
     r = rotation(state.attitude)
@@ -228,8 +234,6 @@ def fastest_of_body(body: MovingBody, pose: BodyPose) -> float:
     return speed + body.reach * math.sqrt(pose.spin @ pose.spin)
 
 
-_NONE = Vec(0.0, 0.0, 0.0)
-_NO_MATRIX = Mat3(_NONE, _NONE, _NONE)
 #: An obstacle that is absent.
 NO_BODY = MovingBody(
     0.0, ABSENT, 0.0, -1.0, 1.0, _NO_MATRIX, _NO_MATRIX, _NONE, _NONE, Vec(0.0, 0.0, 1.0), 0.0, 0.0,

@@ -42,7 +42,7 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 #: Numbers of moving obstacles that are structures of their own to the compiler: others are filled
 #: up with bodies that touch nothing.
-COUNTS = (1, 2, 4, 8)
+COUNTS = (2, 8)
 #: Spheres with which a body touches the world: their flags are bits of one number.
 MOST_POINTS = 52 // FACES
 #: Points around each rim.
@@ -65,7 +65,7 @@ class MovingShape(NamedTuple):
     @property
     def surfaces(self) -> list[Surface]:
         """Surface of each solid."""
-        return [part.surface.surface(AnyExponent, by_number=True) for part in self.parts]
+        return [part.surface.surface(AnyExponent, in_scene=True) for part in self.parts]
 
 
 def moving_scene(still: SolidScene, moving: Sequence[MovingShape]) -> MovingScene:

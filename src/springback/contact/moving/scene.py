@@ -207,6 +207,8 @@ def _moving_now(scene: MovingScene, bodies: tuple[BodyState, ...]) -> PlacedScen
 
 @kernel
 def _body_in_body_frame(body: MovingBody, pose: BodyPose, position: Vec, r: Mat3) -> Any:
+    if body.kind == ABSENT:
+        return BodyInBodyFrame(0.0, ABSENT, 0.0, position, r, at_rest())
     away, turn = position - pose.position, pose.r
     columns = Mat3(
         Vec(turn.x.x, turn.y.x, turn.z.x),

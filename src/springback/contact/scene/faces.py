@@ -65,7 +65,7 @@ from springback.contact.scene.solids import (
     WIDTH,
     solid_face,
 )
-from springback.contact.surfaces import AnyExponent, AnyTangent, Hysteresis, Surface
+from springback.contact.surfaces import AnyExponent, Hysteresis, Surface
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.routines import Routine, call_routine, number_at
 from springback.kernels.trees import minimum, tree_map
@@ -147,7 +147,7 @@ def surface_at(table: float, row: int) -> Surface:
     return Surface(
         number_at(table, k), number_at(table, k + 1), number_at(table, k + 2),
         AnyExponent(number_at(table, k + 3)), number_at(table, k + 4),
-        AnyTangent(number_at(table, k + 5)), number_at(table, k + 6), number_at(table, k + 7),
+        number_at(table, k + 5), number_at(table, k + 6), number_at(table, k + 7),
         number_at(table, k + 8), number_at(table, k + 9),
         (Hysteresis(number_at(table, k + 10), number_at(table, k + 11), number_at(table, k + 12)),),
     )  # fmt: skip
@@ -158,7 +158,7 @@ def no_face() -> ContactFace:
     """A face out of reach."""
     none = Vec(0.0, 0.0, 0.0)
     surface = Surface(
-        0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, AnyTangent(0.0), 1.0, -1.0, 0.0, 0.0,
+        0.0, 0.0, 0.0, AnyExponent(1.5), 0.0, 0.0, 1.0, -1.0, 0.0, 0.0,
         (Hysteresis(0.0, 0.0, 0.0),),
     )  # fmt: skip
     nearest = simple_face(FAR, Vec(0.0, 0.0, 1.0), Support(none, none, none, 0.0))

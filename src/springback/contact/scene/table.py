@@ -41,7 +41,7 @@ from springback.contact.scene.solids import (
     TORUS,
     WIDTH,
 )
-from springback.contact.surfaces import AnyExponent, AnyTangent, Surface, remembers
+from springback.contact.surfaces import Surface, remembers
 from springback.kernels.routines import NumberTable
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -138,12 +138,9 @@ def _numbers(solids: Sequence[Solid], surfaces: Sequence[Surface]) -> tuple[Arra
 
 
 def _surface_numbers(s: Surface) -> list[float]:
-    exponent, axes = s.exponent, s.friction_axes
-    assert isinstance(exponent, AnyExponent)
-    assert isinstance(axes, AnyTangent)
     [memory] = s.hysteresis
     numbers = [
-        s.stiffness, s.dissipation, s.viscosity, exponent.value, s.friction, axes.vertical,
+        s.stiffness, s.dissipation, s.viscosity, s.exponent.value, s.friction, s.vertical,
         s.slip_speed, s.restitution, s.presliding, s.rolling,
         memory.shape, memory.curve, memory.stays,
     ]  # fmt: skip

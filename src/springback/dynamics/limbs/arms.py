@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.contact.cage import moving_bodies
+from springback.contact.cage import LANDED, moving_bodies
 from springback.contact.hull_contact import ArmSight, BodySight, arm_faces, arm_sight
 from springback.contact.laws.memory import PartBristles, bristles_of, pressed_of
 from springback.contact.laws.step_bounds import (
@@ -231,7 +231,7 @@ def arm_view(
         crossing=sooner(soonest(tree_map(crossing_of, (met,), ())), stops_at),
         engaged=touches.engaged,
         impulsive=maximum(tree_map(strikes, (met,), ())),
-        bottomed=1.0 if has_stops & (length < arm.shortest) else 0.0,
+        bottomed=1.0 if has_stops & (length < arm.shortest + LANDED) else 0.0,
         stopped=1.0 if moves * stop.stiffness > 0.0 else 0.0,
         pressed=pressed_of(memory, met),
     )

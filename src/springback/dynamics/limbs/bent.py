@@ -22,7 +22,7 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from springback.contact.cage import moving_bodies
+from springback.contact.cage import LANDED, moving_bodies
 from springback.contact.hull_contact import arm_sight
 from springback.contact.laws.memory import bristles_of
 from springback.contact.laws.step_bounds import ArmFrictionRate, Stiffness
@@ -130,7 +130,7 @@ def _with_second(view: ArmView, arm: BentArm, way: float, rate: float, stop: Sto
     outer_joint = arm.second
     has_stops = (outer_joint.stop_stiffness > 0.0) & (view.unbalance > 0.0)
     crossing = next_stop(outer_joint, way, rate if has_stops else 0.0)
-    beyond = has_stops & (way < outer_joint.shortest)
+    beyond = has_stops & (way < outer_joint.shortest + LANDED)
     pressed = larger(view.compression, abs(outer_joint.length - way))
     return replace(
         view, compression=pressed, unbalance=0.0, crossing=sooner(view.crossing, crossing),

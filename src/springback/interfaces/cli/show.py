@@ -98,27 +98,26 @@ def doctor(compiles: bool, scenarios: tuple[Path, ...], terminal: Terminal) -> N
 
 def _compile(scenarios: tuple[Path, ...], terminal: Terminal) -> None:
     """Compile the kernels of some scenarios, or of the common kinds of flight."""
-    from springback.campaign.common_flights import (
-        COMMON,
-        compile_ahead,
-        kinds_of,
-        plan_of,
-    )
-    from springback.campaign.compiler_times import is_packaged
+    from springback.campaign.common_flights import COMMON, compile_ahead
+    from springback.campaign.compiler_times import TYPICAL
     from springback.kernels.compiler import cache_folder
     from springback.results.flight import as_scenario
 
     named = {str(file): as_scenario(file).model_dump(exclude_unset=True) for file in scenarios}
-    plan = plan_of(kinds_of(named or COMMON))
-    times = {one.name: 0.0 for one in plan.cached}
-    many = f"{len(plan.missing)} of {len(plan.missing) + len(plan.cached)} kinds of flight"
-    terminal.note(f"compiling {many}, some {plan.seconds:.0f} s of processor time")
-    for done in compile_ahead(plan):
+    chosen = named or COMMON
+    terminal.note(
+        f"compiling {len(chosen)} kinds of flight, each alone and in campaigns, where they are not "
+        f"in the cache: some {TYPICAL[False]:.0f} s of processor time each"
+    )
+    times: dict[str, float] = {}
+    for done in compile_ahead(chosen):
         times[done.name] = round(done.seconds, 1)
-        terminal.note(f"{done.name}: {done.seconds:.0f} s")
+        if done.seconds > 0.0:
+            terminal.note(f"{done.name}: {done.seconds:.0f} s ({len(times)} of {2 * len(chosen)})")
     data = {"folder": str(cache_folder()), "seconds": times}
-    came = " or came with the package" if any(is_packaged(one.kind) for one in plan.cached) else ""
-    terminal.print(data, f"kernels of {len(times)} kinds of flight are in {cache_folder()}{came}")
+    new = sum(1 for seconds in times.values() if seconds > 0.0)
+    kept = "" if new == len(times) else f", {len(times) - new} of them from before"
+    terminal.print(data, f"kernels of {len(times)} kinds of flight are in {cache_folder()}{kept}")
 
 
 # -- worlds of other programs ---------------------------------------------------------------------

@@ -125,7 +125,8 @@ def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Any]:
 def energy_figure(*flights: Flight) -> Figure:
     """Energy balance of flights: input, losses and remainder.
 
-    Percentages refer to the input: initial energy, work of the rotors, and loss of height.
+    Percentages refer to the input: initial energy, work of the rotors, loss of height, and what
+    wind and moving obstacles give.
 
     Args:
         *flights: One panel each, on one scale.
@@ -143,7 +144,8 @@ def energy_figure(*flights: Flight) -> Figure:
         chart = Chart(ax, "Energy [J]", "category", short(flight.scenario.name, 50))
         _waterfall(chart, [step for step in each if step[0] in shown])
     longest = max(ax.dataLim.x1 for ax in axes) if shown else 1.0
-    axes[-1].set_xlim(0.0, 1.42 * longest)  # room for the numbers
+    lowest = min(0.0, *(ax.dataLim.x0 for ax in axes)) if shown else 0.0
+    axes[-1].set_xlim(1.05 * lowest, longest + 0.55 * (longest - lowest))  # room for the numbers
     return figure
 
 
@@ -174,21 +176,27 @@ def _energy_steps(flight: Flight) -> list[tuple[str, float, str]]:
     """Name, energy [J] and colour of every step: inputs, losses, remainder."""
     m = {name: value or 0.0 for name, value in flight.measures.items()}
     rotors, height = m["work_thrust"], m["energy_gravity"]
+    driven, moving = m["work_driven"], m["energy_obstacles"]
     return [
         ("at the start", m["energy_start"], INK),
         ("work of rotors", max(rotors, 0.0), GREY),
         ("loss of height", max(-height, 0.0), GREY),
         ("work of wind", max(-m["loss_air"], 0.0), GREY),
+        ("work of driven obstacles", max(driven, 0.0), GREY),
+        ("given by moving obstacles", max(-moving, 0.0), GREY),
         ("absorbed by rotors", min(rotors, 0.0), SKY),
+        ("absorbed by driven obstacles", min(driven, 0.0), SKY),
         ("contact damping", -m["loss_contact"], RED),
         ("arm dampers", -m["loss_arm"], BLUE),
         ("friction", -m["loss_friction"], ORANGE),
         ("end stops", -m["loss_stop"], PINK),
         ("air", -max(m["loss_air"], 0.0), SKY),
         ("locking the arms", -m["loss_settling"], GREY),
+        ("lost in moving obstacles", -m["loss_obstacles"], PINK),
         ("left in motion", m["energy_kinetic"], GREEN),
         ("left in arm springs", m["energy_springs"], GREEN),
         ("left in contacts", m["energy_contact"], GREEN),
         ("left in end stops", m["energy_stops"], GREEN),
         ("left in height", max(height, 0.0), GREEN),
+        ("left in moving obstacles", max(moving, 0.0), GREEN),
     ]

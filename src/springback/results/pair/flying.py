@@ -58,7 +58,7 @@ def fly_beside(
 def law_between(scenario: Scenario) -> Any:
     """Law of the contact between both vehicles."""
     given = None if scenario.second is None else scenario.second.surface
-    return (TWO_CAGES if given is None else given).surface(AnyExponent, by_number=True)
+    return (TWO_CAGES if given is None else given).surface(AnyExponent, in_scene=True)
 
 
 def _side(scenario: Scenario, path: str, built: ReadyFlight) -> PairedFlight:

@@ -174,13 +174,16 @@ def _files(*trees: Any) -> Origin | None:
 
 
 def _check_world(world: World) -> None:
-    """Reject obstacles that a routine of the processor looks for.
+    """Reject obstacles that a routine of the processor looks for; some planes are among these.
 
     Raises:
         InputError: If there is a scene.
     """
     if isinstance(world.obstacles, SolidScene):
-        raise InputError(f"a GPU flies into {', '.join(PLANES)} only; use the processor")
+        raise InputError(
+            f"a GPU flies into one or two faces of {', '.join(PLANES)} only, of force laws with "
+            "exponent 1.5; use the processor"
+        )
 
 
 def fly_buffers_on_gpu(

@@ -14,7 +14,7 @@ from scipy.optimize import minimize
 
 from springback.contact.cage import Ring
 from springback.contact.obstacles import Impulses, Obstacle, Plane, World
-from springback.contact.surfaces import BothTangents, Surface, ThreeHalves
+from springback.contact.surfaces import Surface, ThreeHalves
 from springback.dynamics.impulse import apply_impulses
 from springback.dynamics.motion import Free, Motion, Work
 from springback.kernels.compiler import executor
@@ -73,7 +73,7 @@ def velocities_after(impacts: PlanarImpacts, restitution: float, friction: float
     turning = MASS * GYRATION * GYRATION
     inertia = Mat3(Vec(turning, 0.0, 0.0), Vec(0.0, turning, 0.0), Vec(0.0, 0.0, turning))
     surface = Surface(
-        0.0, 0.0, 0.0, ThreeHalves(1.5), float(friction), BothTangents(0.0), 0.03,
+        0.0, 0.0, 0.0, ThreeHalves(1.5), float(friction), 0.0, 0.03,
         float(restitution),
     )  # fmt: skip
     for row, before, lever in zip(after, impacts.before, impacts.lever, strict=True):
