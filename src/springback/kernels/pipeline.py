@@ -52,8 +52,8 @@ _NativeLowering: Any = typed_passes.NativeLowering
 #: register on Intel processors, the earliest of which slowed down with more; and it does not align
 #: the stack, so that a spilled register usually straddles two cache lines.
 _FOR_LANES = ('"prefer-vector-width"="512"', '"stackrealign"')
-#: Passes that change nothing in a kernel: they rewrite expressions of whole arrays, literals that it
-#: asks for by name, and functions that are inlined as source.
+#: Passes that change nothing in a kernel: they rewrite expressions of whole arrays, literals that
+#: it asks for by name, and functions that are inlined as source.
 _IDLE = {
     typed_passes.NopythonRewrites, typed_passes.InlineOverloads, untyped_passes.WithLifting,
     untyped_passes.LiteralUnroll, untyped_passes.InlineInlinables,
