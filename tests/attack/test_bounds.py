@@ -14,7 +14,7 @@ from springback.errors import LONGEST_LINE, InputError, plain, shown_value
 from springback.scenario.files import read_scenario
 from springback.scenario.source_text import MOST_BYTES
 from springback.scenario.user.pilots import read_pilot, wrong
-from springback.simulation import flight as flights
+from springback.simulation import trajectory
 
 GOOD = 'vehicle = "arq"\nthrust = "hover"\n'
 
@@ -202,14 +202,14 @@ def test_ticks_are_foreseen() -> None:
 
 def test_trajectories_end_before_memory_does(monkeypatch: pytest.MonkeyPatch) -> None:
     """What could not be foreseen is noticed on the way; without a trajectory it is flown."""
-    monkeypatch.setattr(flights, "MOST_INSTANTS", 30)
+    monkeypatch.setattr(trajectory, "MOST_INSTANTS", 30)
     scenario = {
         "vehicle": "quad",
         "world": {"obstacles": [{"type": "wall", "distance": 2.5, "surface": "wall"}]},
         "start": {"position": [2.245, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0]},
         "simulation": {"duration": 0.02},
     }
-    with pytest.raises(InputError, match="shorter duration, coarser steps"):
+    with pytest.raises(InputError, match=r"keep fewer of them with simulation\.record_interval"):
         fly(scenario, executor="python")
     assert fly(scenario, executor="python", trajectory=False).success
 

@@ -107,3 +107,50 @@ def test_a_pilot_of_ones_own_is_built_for(tmp_path: Path) -> None:
 
     flight = springback.fly(waiting, pilot=hover, executor="python")
     assert len(flight.telemetry["t"]) == 2
+
+
+def taken_for_upright(tables: dict[str, Any]) -> tuple[bool, ...]:
+    """If the characterisation of each vehicle's pilot takes what it hits for upright."""
+    scenario = scenario_from(tables)
+    both = [scenario, *([] if scenario.second is None else [scenario.beside()])]
+    found = [one.build().built_avionics.avionics.systems.pilot.characterisation.level for one in both]
+    return tuple(level == 1.0 for level in found)
+
+
+_RECOVERING = GUIDED | {"recovery": {}}
+_UPRIGHT = {"type": "wall", "distance": 3.0, "surface": "wall"}
+_LEANING = {"type": "wall", "position": [3.0, 0, 0], "normal": [-1, 0, 0.2], "surface": "wall"}
+_GROUND = {"type": "ground", "surface": "wall"}
+_POLE = {"type": "pole", "position": [3.0, 0, 0], "radius": 0.1, "surface": "wall"}
+_OTHER = {**_RECOVERING, "start": {"position": [1.0, 0.0, 1.0]}}
+
+
+@pytest.mark.parametrize(
+    ("obstacles", "upright"),
+    [
+        ([_UPRIGHT], True),
+        ([_UPRIGHT, _GROUND], True),
+        ([{**_LEANING, "normal": [-3, 4, 0]}, _UPRIGHT, _UPRIGHT], True),
+        ([_LEANING], False),
+        ([_UPRIGHT, _POLE], False),
+        ([_GROUND], False),
+        ([], False),
+    ],
+)
+def test_obstacles_are_taken_for_upright_where_all_are(
+    obstacles: list[dict[str, Any]], upright: bool
+) -> None:
+    tables = _RECOVERING | {"world": {"obstacles": obstacles}}
+    assert taken_for_upright(tables) == (upright,)
+    for level in (True, False):
+        given = tables | {"recovery": {"characterisation": {"level": level}}}
+        assert taken_for_upright(given) == (level,)
+
+
+def test_another_vehicle_is_not_taken_for_upright() -> None:
+    """By either of two, whatever walls are there."""
+    second = {name: _OTHER[name] for name in ("vehicle", "reference", "recovery", "start")}
+    tables = _RECOVERING | {"world": {"obstacles": [_UPRIGHT]}, "second": second}
+    assert taken_for_upright(tables) == (False, False)
+    second = second | {"recovery": {"characterisation": {"level": True}}}
+    assert taken_for_upright(tables | {"second": second}) == (False, True)

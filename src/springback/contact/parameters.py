@@ -50,7 +50,8 @@ class SurfaceSettings(HystereticSettings):
 
     law: Law = "hunt-crossley"
     stiffness: Annotated[float, Unit("", above=0.0)] = 2e5
-    """k_c [N/mⁿ] of the whole front; see ``shared_by``."""
+    """k_c [N/mⁿ] of the whole front, see ``shared_by``; as text, such as ``"10 N/mm"`` where n is
+    1, or ``"200 kN/m^1.5"``."""
     shared_by: Annotated[int, Field(ge=1)] = 1
     """Number of cages that share the stiffness (2: a front of two cages, k_c/2 each)."""
     exponent: Annotated[float, Unit("", least=0.4, most=4.0)] = 1.5
@@ -172,6 +173,10 @@ class SurfaceSettings(HystereticSettings):
         )
 
 
+#: Most of a normal that may point up for an upright face (chosen: 0.06°, a rounded normal).
+UPRIGHT = 1e-3
+
+
 class PlaneSettings(Settings):
     """A plane obstacle: a point of its face and the direction it faces."""
 
@@ -190,6 +195,11 @@ class PlaneSettings(Settings):
         if self.normal is not None and not hypot(*self.normal) > 0.0:
             raise problem("must not be zero", "normal")
         return self
+
+    def is_upright(self) -> bool:
+        """True if the face is vertical, to a rounded normal."""
+        n = (0.0, 0.0, 0.0) if self.normal is None else self.normal
+        return abs(n[2]) <= UPRIGHT * hypot(*n)
 
     def plane(self, raised: float = 0.0) -> Plane:
         """The face, moved outwards by a thickness [m]."""

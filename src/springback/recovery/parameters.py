@@ -136,10 +136,11 @@ class CharacterisationSettings(Settings):
     measures the velocity change that was lost, is 10 ms late and comes every 5 ms."""
     share: Annotated[float, Unit("", above=0.0, most=1.0)] = 0.1
     """An arm in front was hit if its compression is this share of the largest. Chosen."""
-    level: bool = True
+    level: bool | None = None
     """True if obstacles are upright faces, as all of the paper's are, so that f_c⁰ is level; false
     for poles, edges, balls and leaning faces, where friction deflects it (`springback study
-    shapes`)."""
+    shapes`).  By default true where upright walls and mats are all that the world has beside level
+    ground, and false elsewhere."""
 
 
 class ResponseSettings(Settings):
@@ -285,9 +286,17 @@ class RecoverySettings(Settings):
             fading=o.fading,
         )
 
-    def collision_characterisation(self, full_scale: float) -> Characterisation:
-        """Characterisation for the kernels, given the accelerometer's range [m/s²]."""
+    def collision_characterisation(
+        self, full_scale: float, upright: bool = True
+    ) -> Characterisation:
+        """Characterisation for the kernels.
+
+        Args:
+            full_scale: Range of the accelerometer [m/s²].
+            upright: True if all that can be hit is upright; a `level` that is given goes before it.
+        """
         look = self.characterisation
+        level = upright if look.level is None else look.level
         return Characterisation(
             window=look.window,
             longer=look.longer,
@@ -296,7 +305,7 @@ class RecoverySettings(Settings):
             wrench=1.0 if look.source == "wrench" else 0.0,
             fused=1.0 if look.source == "fused" else 0.0,
             share=look.share,
-            level=1.0 if look.level else 0.0,
+            level=1.0 if level else 0.0,
             limit=min(WITHIN_RANGE * full_scale, NO_RANGE),
         )
 

@@ -38,23 +38,13 @@ from springback.scenario.user.pilots import (
     guarded_pilot,
 )
 from springback.scenario.user.sensing import check_detector, check_estimator
-from springback.simulation.flight import (
-    Executor,
-    FlightRecord,
-    check_instants,
-    fly_one,
-    own_types,
-)
-from springback.simulation.guided import (
-    GuidedFlight,
-    GuidedFlown,
-    fly_guided,
-    ticks_of,
-)
+from springback.simulation.flight import Executor, FlightRecord, fly_one, own_types
+from springback.simulation.guided import GuidedFlight, GuidedFlown, fly_guided, ticks_of
 from springback.simulation.measuring.measures import Outcome, measures_of, outcome_of
 from springback.simulation.noise import noise_table
 from springback.simulation.onboard import Avionics
 from springback.simulation.thrusts import ThrustTable
+from springback.simulation.trajectory import check_instants
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -280,7 +270,8 @@ def fly(
         built = ready.build(parts)
     if trajectory:
         timing, guided = built.model.timing, built.built_avionics is not None
-        foreseen = timing.until * ready.clock if guided else timing.until / timing.free_step
+        every = max(timing.free_step, ready.simulation.record_interval)
+        foreseen = timing.until * ready.clock if guided else timing.until / every
         check_instants(int(foreseen), timing.until, timing.until)
     if ready.second is not None:
         if own or executor != "compiled":
@@ -293,7 +284,7 @@ def fly(
         return _wary(replace(flight, own=parts.obstacles))
     flown = fly_one(
         built.model, built.start, thrusts=built.thrusts, trace=trajectory, executor=executor,
-        progress=progress,
+        interval=ready.simulation.record_interval, progress=progress,
     )  # fmt: skip
     return _wary(replace(_flight_of(ready, flown, built.thrusts), own=parts.obstacles))
 
@@ -362,8 +353,10 @@ def guided_flight(
     Raises:
         InputError: If a user's own part fails, in one line with its file and line.
     """
+    interval = ready.simulation.record_interval
     return _flight_of(
-        ready, fly_built(built, trace=trajectory, executor=executor, progress=progress)
+        ready,
+        fly_built(built, trace=trajectory, interval=interval, executor=executor, progress=progress),
     )
 
 
@@ -371,6 +364,7 @@ def fly_built(
     built: ReadyFlight,
     *,
     trace: bool = False,
+    interval: float = 0.0,
     executor: Executor = "compiled",
     progress: Callable[[float], None] | None = None,
 ) -> GuidedFlown:
@@ -379,6 +373,7 @@ def fly_built(
     Args:
         built: With avionics.
         trace: Record trajectory and telemetry.
+        interval: Of which the trajectory keeps the first step [s]; 0: it keeps each.
         executor: ``compiled``, or ``python``.
         progress: Called from time to time with the simulated time [s].
 
@@ -395,7 +390,7 @@ def fly_built(
         return fly_guided(
             GuidedFlight(built.model, built.start, avionics),
             noise_table(built.seed, 0, ticks, draws),
-            pilot=plain, trace=trace, executor=executor, progress=progress,
+            pilot=plain, trace=trace, interval=interval, executor=executor, progress=progress,
         )  # fmt: skip
 
 

@@ -61,7 +61,7 @@ STABLE = 2.5
 #: Maximum number of steps, if all were as fine as the finest (chosen): about 2 min of a processor.
 MOST_STEPS = 1e8
 #: Maximum number of ticks of a flight with a pilot (chosen): its noise takes 1 GB.  Trajectories
-#: have a separate limit, `springback.simulation.flight.MOST_INSTANTS`.
+#: have a separate limit, `springback.simulation.trajectory.MOST_INSTANTS`.
 MOST_TICKS = 5e6
 #: Upper bound on the distance of a point from the main body, relative to the reach (chosen: the
 #: rounding of a ring adds 1e-5).

@@ -14,6 +14,7 @@ from springback.errors import InputError
 from springback.kernels.memo import Memo
 from springback.problems import dotted_path, problem_paths
 from springback.random_streams import Purpose, stream
+from springback.recovery.parameters import RecoverySettings
 from springback.scenario.build import (
     ReadyFlight,
     UserParts,
@@ -48,6 +49,10 @@ class Scenario(ScenarioTables):
         """Check across tables; files of the user's own are not run for it."""
         given = (info.context or {}).get("pilot")
         own = given or self.pilot is not None
+        reads = not own and self.reference is None and "sensors" in self.model_fields_set
+        if reads and self.simulation.record_interval > 0.0:
+            what = "must be 0: without a pilot, sensors are read from every step"
+            raise problem(what, "simulation.record_interval")
         if self.reference is None and given is None and not own:  # a pilot may be given later
             check_tables(self, self.parts)
             check_sensors(self)
@@ -138,6 +143,8 @@ def _scenario_beside(first: Scenario) -> Scenario:
     shared = {name: getattr(first, name) for name in SHARED}
     seed = int(stream(first.seed, Purpose.SECOND).integers(2**63))
     own |= {"seed": seed if second.seed is None else second.seed, "name": second.name}
+    if second.recovery is not None and second.recovery.characterisation.level is None:
+        own["recovery"] = _of_any_inclination(second.recovery)
     try:
         return Scenario.model_validate({**own, **shared})
     except ValidationError as error:
@@ -145,6 +152,12 @@ def _scenario_beside(first: Scenario) -> Scenario:
         raise problem(
             what, dotted_path(path if path[:1] in _PATHS else ("second", *path))
         ) from None
+
+
+def _of_any_inclination(recovery: RecoverySettings) -> RecoverySettings:
+    """A recovery that does not take what it hits for upright."""
+    look = recovery.characterisation.with_checked(level=False)
+    return recovery.with_checked(characterisation=look)
 
 
 #: Tables that two vehicles have in common.

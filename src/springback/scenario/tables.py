@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import BeforeValidator, ConfigDict, Field, PlainValidator, model_validator
 
-from springback.contact.parameters import SurfaceSettings
+from springback.contact.parameters import Ground, PlaneSettings, SurfaceSettings
 from springback.contact.shapes import ShapeSettings
 from springback.contact.worlds import BuiltIn
 from springback.control.parameters import ControlSettings
@@ -64,6 +64,13 @@ class WorldSettings(Settings):
         if count > MOST_SHAPES:
             raise problem(f"must be at most {MOST_SHAPES} (got {count})", "obstacles")
         return self
+
+    def faces_are_upright(self) -> bool:
+        """True if it has upright walls or mats, and nothing else but level ground."""
+        solid = [entry for entry in self.obstacles if not isinstance(entry, Ground)]
+        return bool(solid) and all(
+            isinstance(entry, PlaneSettings) and entry.is_upright() for entry in solid
+        )
 
     def of_own_structure(self) -> int:
         """Number of obstacles that each are a structure of their own to the compiler."""
@@ -202,6 +209,9 @@ class SimulationSettings(Settings):
     """... if it moves more slowly than this."""
     dwell: Duration = 0.02
     """Contacts closer together than this are one impact."""
+    record_interval: Annotated[float, Unit("s", least=0.0)] = 0.0
+    """Of each interval of this length the trajectory keeps the first step, and the last of the
+    flight; 0: every step.  Measures and events are those of all steps in any case."""
 
 
 #: Largest number of instants of a table of thrusts (chosen: each takes a step at least).

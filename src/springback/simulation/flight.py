@@ -23,7 +23,6 @@ from springback.dynamics.limbs.arms import ArmView
 from springback.dynamics.motion import Engaged, HullView, Motion, View, Work
 from springback.dynamics.moving_obstacles import BodyWork
 from springback.dynamics.obstacle_views import NO_VIEW
-from springback.errors import InputError
 from springback.kernels.compiler import Origin, implementations, user_executor
 from springback.kernels.frozen import frozen_digest
 from springback.kernels.layout import Buffer, TreeLayout, row_of, rows
@@ -40,6 +39,7 @@ from springback.simulation.measuring.record import (
     blank_record,
 )
 from springback.simulation.thrusts import ARRIVED, ThrustTable
+from springback.simulation.trajectory import KeptRows, check_instants
 from springback.vehicle.arms.bent import BentArm
 from springback.vehicle.limits import LoadLimits, initial_loads
 from springback.vehicle.placed.rotors import propellers_of
@@ -62,9 +62,6 @@ LANES = 8
 #: Steps between two checks for an interrupt and updates of the progress bar.
 SLICE = 20_000
 LOG_ROWS = 4_096
-#: Largest number of instants of a trajectory (chosen: some 2.5 GB with the telemetry and all
-#: columns).
-MOST_INSTANTS = 1_000_000
 #: Time at which this process read its first sources [s since the epoch].
 BEGUN = time.time()
 
@@ -314,6 +311,7 @@ def fly_one(
     *,
     thrusts: ThrustTable | None = None,
     trace: bool = True,
+    interval: float = 0.0,
     executor: Executor = "compiled",
     progress: Callable[[float], None] | None = None,
 ) -> FlightRecord:
@@ -323,7 +321,8 @@ def fly_one(
         model: Of the flight.
         start: State at time 0.
         thrusts: Thrusts over time, of a model with a `Ramp`.
-        trace: Record the trajectory, with each step.
+        trace: Record the trajectory.
+        interval: Of which the trajectory keeps the first step [s]; 0: it keeps each.
         executor: ``compiled``, or ``python`` for the same source run by the interpreter (slow).
         progress: Called from time to time with the simulated time [s].
 
@@ -333,7 +332,7 @@ def fly_one(
     shape = shape_of(model, start)
     buffers = flight_buffers(shape, [model], [start], 1)
     width = 1 + rows(shape.motion) + rows(shape.seen)
-    logs: list[Buffer] = []
+    kept = KeptRows(width, interval)
     run, like = entry_for(model, executor), TreeLayout(shape)
     record_row, log = -rows(shape.record), empty_log(LOG_ROWS if trace else 0, width)
     for early in _stretches(shape, buffers, 1, thrusts):
@@ -341,17 +340,17 @@ def fly_one(
         while flying:
             flying = run(like, buffers, (0,), log, SLICE, early)
             time_now = float(buffers[0, record_row])
-            check_instants(sum(map(len, logs)) + log.used[0], time_now, model.timing.until)
+            check_instants(kept.count + log.used[0], time_now, model.timing.until)
             if progress is not None:
                 progress(time_now)
             if not has_space(log):
-                logs.append(log.rows)
+                kept.add(log.rows)
                 log = empty_log(LOG_ROWS, width)
-    logs.append(log.rows[: log.used[0]])
+    kept.add(log.rows[: log.used[0]])
     flown = flight_records(shape, [model], [start], buffers, 1)[0]
     if not trace:
         return flown
-    return flown._replace(trace=Trace(trace_columns(shape), np.concatenate(logs)))
+    return flown._replace(trace=Trace(trace_columns(shape), kept.all()))
 
 
 def _stretches(
@@ -383,25 +382,6 @@ def _stretches(
 def empty_log(rows: int = 0, columns: int = 1) -> TrajectoryLog:
     """Log for a number of instants; without any, no trajectory is recorded."""
     return TrajectoryLog(np.zeros((rows, columns)), np.zeros(1, dtype=np.int64))
-
-
-def check_instants(instants: int, reached: float, until: float) -> None:
-    """Stop a flight whose trajectory has become too long.
-
-    Args:
-        instants: Number of instants of the trajectory so far, or expected.
-        reached: Simulated time of the last [s].
-        until: End of the flight [s].
-
-    Raises:
-        InputError: With the numbers, and with remedies.
-    """
-    if instants > MOST_INSTANTS:
-        raise InputError(
-            f"simulation.duration: a trajectory has at most {MOST_INSTANTS} instants, and this one "
-            f"has {instants} by {reached:.4g} s of {until:g} s; give a shorter duration, coarser "
-            "steps or a slower clock, or in Python trajectory=False"
-        )
 
 
 def trace_columns(shape: Shape) -> tuple[str, ...]:

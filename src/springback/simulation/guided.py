@@ -24,7 +24,6 @@ from springback.simulation.flight import (
     Executor,
     FlightRecord,
     Trace,
-    check_instants,
     empty_log,
     flight_buffers,
     flight_records,
@@ -64,6 +63,7 @@ from springback.simulation.ticks import (
     layouts_of,
     sense_and_decide,
 )
+from springback.simulation.trajectory import KeptRows, check_instants
 from springback.vehicle.rotor_stop import TURNING, NoStop
 from springback.vehicle.state import State
 
@@ -279,6 +279,7 @@ def fly_guided(
     *,
     pilot: PlainPilot | None = None,
     trace: bool = True,
+    interval: float = 0.0,
     executor: Executor = "compiled",
     progress: Callable[[float], None] | None = None,
 ) -> GuidedFlown:
@@ -290,6 +291,7 @@ def fly_guided(
         pilot: In plain Python, in place of the one of the avionics, which is then a `Relay`; its
             memory is None at first.
         trace: Record trajectory and telemetry.
+        interval: Of which the trajectory keeps the first step [s]; 0: it keeps each.
         executor: ``compiled``, or ``python`` for the same source run by the interpreter (slow).
         progress: Called from time to time with the simulated time [s].
 
@@ -306,7 +308,8 @@ def fly_guided(
     head = (*telemetry_head(avionics),) if trace else ()
     mailbox = _mailbox(avionics, onboard[0]) if pilot is not None else None
     telemetry = np.zeros((count if trace else 0, len(head)))
-    logs, record_row, memory = [], -rows(shape.record), None
+    kept = KeptRows(len(trace_columns(shape)), interval)
+    record_row, memory = -rows(shape.record), None
     while at[0] < count:
         size = (LOG_ROWS, len(trace_columns(shape))) if trace else (0, 1)
         log = FlightLog(empty_log(*size), telemetry)
@@ -323,16 +326,16 @@ def fly_guided(
                     telemetry[at[0], 1 : 1 + len(mailbox.command)] = mailbox.command
                     first = len(head) - len(mailbox.report) - len(avionics.onboard.stopped)
                     telemetry[at[0], first : first + len(mailbox.report)] = mailbox.report
-        logs.append(log.trajectory.rows[: log.trajectory.used[0]])
+        kept.add(log.trajectory.rows[: log.trajectory.used[0]])
         time_now = float(motion[0, record_row])
-        check_instants(sum(map(len, logs)), time_now, duration)
+        check_instants(kept.count, time_now, duration)
         if progress is not None:
             progress(time_now)
     after = rebuilt(avionics.onboard, onboard[0, rows(avionics.systems) :])
     flown = flight_records(shape, [model], [start], motion, 1)[0]
     if not trace:
         return GuidedFlown(flown, after, None)
-    flown = flown._replace(trace=Trace(trace_columns(shape), np.concatenate(logs)))
+    flown = flown._replace(trace=Trace(trace_columns(shape), kept.all()))
     return GuidedFlown(flown, after, Trace(head, telemetry))
 
 

@@ -13,7 +13,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, model_validator
 
 from springback.errors import shown_value
-from springback.quantities import Factor, Length, Unit
+from springback.quantities import Factor, Length, Unit, number_in
 from springback.settings import Settings, naming, problem
 from springback.vehicle.force_curves import Points, force_table
 
@@ -78,6 +78,19 @@ class HystereticSettings(Settings):
     otherwise what comes out follows `restitution`, or is elastic."""
     recovers: bool = True
     """False: what a part of a vehicle has pressed in stays so, for that part, in later contacts."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _stiffness_with_unit(cls, given: Any) -> Any:
+        """A stiffness given as text, in N/mⁿ of the law's exponent n."""
+        text = given.get("stiffness") if isinstance(given, dict) else None
+        if not isinstance(text, str):
+            return given
+        linear = given.get("law") in ("kelvin-voigt", "foam")
+        n = 1.0 if linear else given.get("exponent", cls.model_fields["exponent"].default)
+        unit = f"N/m^{n:g}" if isinstance(n, int | float) and n != 1.0 else "N/m"
+        with naming("stiffness"):
+            return given | {"stiffness": number_in(text, unit, bare=True)}
 
     def check_memory(self, law: str, restitution: float | None) -> None:
         """Reject keys of another law, and those that are missing.
@@ -217,7 +230,8 @@ class HullSurface(HystereticSettings):
     law: Literal["power", "constant-restitution", "foam", "table"] = "power"
     """`power` is k δⁿ; the others are as of an obstacle's surface."""
     stiffness: Annotated[float, Unit("", above=0.0)] | None = None
-    """k [N/mⁿ] of the hull alone, against something rigid."""
+    """k [N/mⁿ] of the hull alone, against something rigid; as text, such as ``"10 N/mm"`` where n
+    is 1, or ``"200 kN/m^1.5"``."""
     restitution: Annotated[float, Unit("", above=0.0, most=1.0)] | None = None
     """Of the laws that have the same at any speed."""
     exponent: Annotated[float, Unit("", least=0.4, most=4.0)] = 1.5

@@ -51,8 +51,9 @@ def fly_beside(
     one, other = (_side(scenario, *each) for each in (("", first), ("second.", second)))
     period = 1.0 / scenario.clock
     return fly_both(
-        one, other, law_between(scenario), period=period, trace=trace, progress=progress
-    )
+        one, other, law_between(scenario), period=period, trace=trace,
+        interval=scenario.simulation.record_interval, progress=progress,
+    )  # fmt: skip
 
 
 def law_between(scenario: Scenario) -> Any:

@@ -22,7 +22,6 @@ from springback.simulation.flight import (
     LOG_ROWS,
     FlightRecord,
     Trace,
-    check_instants,
     empty_log,
     flight_buffers,
     flight_records,
@@ -51,6 +50,7 @@ from springback.simulation.pair.stepping import (
     pair_guide,
 )
 from springback.simulation.ticks import GUST_NOISE, FlightLog, layouts_of
+from springback.simulation.trajectory import KeptRows, check_instants
 from springback.vehicle.state import State
 
 
@@ -67,12 +67,14 @@ class PairedFlight(NamedTuple):
 class _Side:
     """One of two vehicles while it flies."""
 
-    def __init__(self, flight: PairedFlight, trace: bool, ticks: int, period: float) -> None:
+    def __init__(
+        self, flight: PairedFlight, trace: bool, interval: float, ticks: int, period: float
+    ) -> None:
         self.flight = flight
         self.shape = shape_of(flight.model, flight.start)
         self.motion = flight_buffers(self.shape, [flight.model], [flight.start], 1)
         self.columns = len(trace_columns(self.shape))
-        self.full: list[Buffer] = []
+        self.kept = KeptRows(self.columns, interval)
         self.trace = trace
         self.log = self._new_log()
         self.avionics: Any = flight.avionics or NoAvionics(period)
@@ -91,7 +93,7 @@ class _Side:
 
     def keep_log(self) -> None:
         """Put the log aside, and begin another."""
-        self.full.append(self.log.rows[: self.log.used[0]])
+        self.kept.add(self.log.rows[: self.log.used[0]])
         self.log = self._new_log()
 
     @property
@@ -105,8 +107,8 @@ class _Side:
         flight = self.flight
         flown = flight_records(self.shape, [flight.model], [flight.start], self.motion, 1)[0]
         if self.trace:
-            values = np.concatenate([*self.full, self.log.rows[: self.log.used[0]]])
-            flown = flown._replace(trace=Trace(trace_columns(self.shape), values))
+            self.keep_log()
+            flown = flown._replace(trace=Trace(trace_columns(self.shape), self.kept.all()))
         if flight.avionics is None:
             return flown
         at = rows(flight.avionics.systems)
@@ -164,6 +166,7 @@ def fly_both(
     *,
     period: float,
     trace: bool = True,
+    interval: float = 0.0,
     progress: Callable[[float], None] | None = None,
 ) -> tuple[GuidedFlown | FlightRecord, GuidedFlown | FlightRecord]:
     """Fly two vehicles together.
@@ -174,6 +177,7 @@ def fly_both(
         surface: Of the contact between both.
         period: Of a tick [s].
         trace: Record trajectories and telemetry.
+        interval: Of which trajectories keep the first step [s]; 0: they keep each.
         progress: Called from time to time with the simulated time [s].
 
     Raises:
@@ -184,7 +188,7 @@ def fly_both(
     period = period if guided else duration
     ticks = ticks_of(duration, period)
     sides = beside_each_other(first, second, surface)
-    a, b = (_Side(each, trace, ticks, period) for each in sides)
+    a, b = (_Side(each, trace, interval, ticks, period) for each in sides)
     fly, at = pair_guide(a.avionics, b.avionics), np.zeros(3, dtype=np.int64)
     while at[0] < ticks:
         end = min(ticks, int(at[0]) + TICKS)
@@ -192,7 +196,7 @@ def fly_both(
         if not (at[0] or own_types(a.avionics) | own_types(b.avionics)):
             compile_with_help(fly, begin_and_end_both, given)
         fly(*given)
-        instants = sum(map(len, a.full)) + int(a.log.used[0])
+        instants = a.kept.count + int(a.log.used[0])
         check_instants(instants if trace else 0, float(at[0]) * period, duration)
         if trace and max(a.log.used[0], b.log.used[0]) >= LOG_ROWS:
             a.keep_log()
