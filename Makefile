@@ -10,8 +10,10 @@ export PYTHONDONTWRITEBYTECODE =
 
 run:
 	@tools/environment all
-	$(BIN)/springback reproduce --out $(OUT) --force
-	$(BIN)/springback doctor --compile
+	@echo springback doctor --compile, beside the reproduction
+	@$(BIN)/springback doctor --compile --quiet & ahead=$$!; \
+	$(BIN)/springback reproduce --out $(OUT) --force || { kill $$ahead; exit 1; }; \
+	wait $$ahead
 
 test:
 	@tools/environment dev

@@ -41,12 +41,13 @@ _FLIGHTS: dict[str, dict[str, Any]] = {
     "a pilot's flight": _FLOWN,
     "a recovery": {**_FLOWN, "recovery": {}},
 }
-#: Those without a scene first: others are compiled while the search of scenes is.
+#: In this order two processes compile them soonest: the second one comes to the shapes that move
+#: when the first has the search of scenes, and both to what the reproduction has compiled meanwhile.
 _WORLDS: dict[str, list[dict[str, Any]]] = {
-    "at a wall": [_WALL],
-    "at a wall above the ground": [_WALL, _GROUND],
     "among shapes": [_POLE],
+    "at a wall above the ground": [_WALL, _GROUND],
     "among shapes of which some move": [_POLE, _SLIDING],
+    "at a wall": [_WALL],
 }
 #: Scenarios of the common kinds, by what they are.
 COMMON: dict[str, dict[str, Any]] = {

@@ -107,11 +107,18 @@ def campaign(
         raise InputError("--out is missing: the folder to write to (or --dry-run)")
     again = shlex.join(["springback", *sys.argv[1:], *([] if resume else ["--resume"])])
     interrupts.say(f"interrupted; completed flights are saved; resume with: {again}")
+
     try:
         with _progress(output) as (show, remark):
+
+            def progress(now: CampaignProgress) -> None:
+                saved = f"{now.done} of {now.flights} flights are saved"
+                interrupts.say(f"interrupted; {saved}; resume with: {again}")
+                show(now)
+
             flown = run_campaign(
                 design, out, resume=resume, workers=workers, chunk=chunk, scheduler=scheduler,
-                tls=tls, device=device, progress=show, remark=remark,
+                tls=tls, device=device, progress=progress, remark=remark,
             )  # fmt: skip
     except CampaignError as error:
         say(f"error: {error}")

@@ -24,6 +24,8 @@ FIRST = "flying; a new kind of flight is compiled first: some 10 s, with a pilot
 """Label of the spinner while a flight is flown."""
 PATIENCE = 1.0
 """Seconds before a progress bar appears."""
+SILENCE = 10.0
+"""Seconds before a line says what is done where there is no terminal."""
 
 
 def say(text: str) -> None:
@@ -77,24 +79,28 @@ class Terminal:
 
     @contextmanager
     def spinner(self, label: str) -> Iterator[None]:
-        """A spinner for work that reports no progress, such as compiling."""
+        """A spinner for work that reports no progress, such as compiling; a line in a file."""
         import threading
 
         from rich.console import Console
 
         console = Console(stderr=True)
-        if self.quiet or not console.is_terminal:
+        if self.quiet:
             yield
             return
         status = console.status(label)
+        shows = console.is_terminal
         timer = threading.Timer(PATIENCE, status.start)
+        if not shows:
+            timer = threading.Timer(SILENCE, say, (label,))
         timer.start()
         try:
             yield
         finally:
             timer.cancel()
             timer.join()
-            status.stop()
+            if shows:
+                status.stop()
 
 
 @dataclass(frozen=True)

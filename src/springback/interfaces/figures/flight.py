@@ -5,7 +5,7 @@ No physics is computed here: every number is a measure or a column of the trajec
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import numpy as np
@@ -91,17 +91,28 @@ def _motion(flight: Flight) -> Figure:
     if "bend1" in c:
         bends = alike("arm", [(j, 1e3 * c[f"bend{j}"]) for j in arms])
         panels.append(panel("Arm bend, second joint [mm]", bends))
-    touched = [j for j in arms if np.any(c[f"fn{j}"] > 0.0)]
-    body = body_curves(c, {"fn": "body", "ff": "friction body"})
-    if touched or body:
-        least = 1e-3 * max((float(np.max(c[f"fn{j}"])) for j in touched), default=0.0)
-        rubbed = [j for j in touched if np.max(c[f"ff{j}"]) > least]
-        forces = alike("arm", [(j, c[f"fn{j}"]) for j in touched])
-        friction = alike("friction", [(j, c[f"ff{j}"]) for j in rubbed])
-        panels.append(panel("Contact force [N]", forces + friction + body))
+    panels += [
+        panel(f"{what} [N]", curves)
+        for what, curves in (("Contact force", _forces(c, "fn")), ("Friction", _forces(c, "ff")))
+        if curves
+    ]
     shades = [(t(start), t(end)) for start, end in contacts(c)]
     time = "Time [s]" if touch is None else "Time from first touch [ms]"
     return stacked_panels(panels, time, shades)
+
+
+def _forces(columns: Mapping[str, Array], kind: str) -> list[tuple[str, Array]]:
+    """Forces on what was touched: normal, ``fn``, or friction, ``ff``, if there is any to speak of.
+
+    Friction has the looks that its arms have among normal forces.
+    """
+    c = columns
+    touched = [j for j in arms_of(c) if np.any(c[f"fn{j}"] > 0.0)]
+    curves = alike("arm", [(j, c[f"{kind}{j}"]) for j in touched])
+    curves += body_curves(c, {kind: "body"})
+    largest = max((float(np.max(values)) for _, values in curves), default=0.0)
+    pressed = max((float(np.max(c[f"fn{j}"])) for j in touched), default=0.0)
+    return curves if largest > 1e-3 * pressed else []
 
 
 def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Any]:

@@ -82,7 +82,10 @@ MEASURES = {
         "m",
         "of the main body past its place at first touch, into the obstacle, until last separation",
     ),
-    "impact_peak_acceleration": ("m/s^2", "first impact: largest |dv/dt| of the main body"),
+    "impact_peak_acceleration": (
+        "m/s^2",
+        "first impact: largest |dv/dt| of the main body; an impulse has none, nor force",
+    ),
     "impact_peak_acceleration_time": ("s", "time of it"),
     "impact_peak_specific_force": (
         "m/s^2",
@@ -241,6 +244,8 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
     balance = ledger_balance(work, before, after)
     touched = first.touch_time >= 0.0
     left, back = first.separation_time >= 0.0, first.return_time >= 0.0
+    # An impulse is over at once, and what it does to velocities has no acceleration.
+    pushed = touched & ~(left & (first.separation_time <= first.touch_time))
     values: dict[str, Any] = {
         "restitution_at_separation": _ratio(first.separation_speed, first.touch_speed, left),
         "restitution_at_return": _ratio(first.return_speed, first.touch_speed, back),
@@ -256,11 +261,11 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
         "contact_time": where(left, first.separation_time - first.touch_time),
         "time_to_return": where(back, first.return_time - first.touch_time),
         "travel": first.travel,
-        "impact_peak_acceleration": where(touched, impact.acceleration),
-        "impact_peak_acceleration_time": _time(impact.acceleration_time),
-        "impact_peak_specific_force": where(touched, impact.specific_force),
+        "impact_peak_acceleration": where(pushed, impact.acceleration),
+        "impact_peak_acceleration_time": where(pushed, _time(impact.acceleration_time)),
+        "impact_peak_specific_force": where(pushed, impact.specific_force),
         "impact_peak_angular_rate": where(touched, impact.angular_rate),
-        "impact_peak_normal_force": where(touched, impact.normal_force),
+        "impact_peak_normal_force": where(pushed, impact.normal_force),
         "impact_penetration": where(touched, impact.penetration),
         "impact_arm_stroke": where(touched, impact.compression),
         "impact_arm_extension": where(touched, impact.extension),
