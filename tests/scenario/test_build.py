@@ -113,7 +113,9 @@ def taken_for_upright(tables: dict[str, Any]) -> tuple[bool, ...]:
     """If the characterisation of each vehicle's pilot takes what it hits for upright."""
     scenario = scenario_from(tables)
     both = [scenario, *([] if scenario.second is None else [scenario.beside()])]
-    found = [one.build().built_avionics.avionics.systems.pilot.characterisation.level for one in both]
+    found = [
+        one.build().built_avionics.avionics.systems.pilot.characterisation.level for one in both
+    ]
     return tuple(level == 1.0 for level in found)
 
 

@@ -41,8 +41,8 @@ _FLIGHTS: dict[str, dict[str, Any]] = {
     "a pilot's flight": _FLOWN,
     "a recovery": {**_FLOWN, "recovery": {}},
 }
-#: In this order two processes compile them soonest: the second one comes to the shapes that move
-#: when the first has the search of scenes, and both to what the reproduction has compiled meanwhile.
+#: In this order two processes compile them soonest: the second comes to shapes that move when the
+#: first has the search of scenes, and both at last to what the reproduction compiled meanwhile.
 _WORLDS: dict[str, list[dict[str, Any]]] = {
     "among shapes": [_POLE],
     "at a wall above the ground": [_WALL, _GROUND],
