@@ -30,6 +30,10 @@ class ContactWarning(FlightWarning):
     """A contact came as deep as the middle of what it met, where the other side is as near."""
 
 
+class OverlapWarning(FlightWarning):
+    """Cages of one vehicle came into each other, which do not touch here."""
+
+
 class InputError(ValueError):
     """Invalid input.  Each problem is one line that says how to correct it."""
 

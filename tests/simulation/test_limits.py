@@ -143,3 +143,65 @@ def test_the_force_within_a_rigid_arm_has_no_limit() -> None:
     given["vehicle"]["preset"] = "quad"
     with pytest.raises(InputError, match=r"vehicle\.limits\.arm_force: needs a compliant arm"):
         springback.fly(given)
+
+
+HINGE = {
+    "type": "hinge", "position": [0.06, 0.0, 0.0], "axis": [0, 0, 1], "travel": [-0.7, 0.7],
+    "stiffness": 2.0, "damping": 0.02,
+}  # fmt: skip
+SLIDE = {
+    "type": "slide", "direction": [-1, 0, 0], "travel": [0.0, 0.02], "stiffness": 5e3,
+    "damping": 20.0,
+}  # fmt: skip
+RADIUS = 0.19 - 0.06
+
+
+@pytest.mark.parametrize("order", ["hinge first", "slide first"])
+def test_each_of_two_joints_has_its_own_limit(order: str) -> None:
+    """A torque of the hinge, a force of the slide; the margin is that of what comes nearer to it.
+
+    A slide behind a hinge bore anything: only the first of two joints that differ was looked at.
+    """
+    first, second = (HINGE, SLIDE) if order == "hinge first" else (SLIDE, HINGE)
+    start = {"position": [2.35, 0.0, 1.0], "velocity": [0.5, 0.0, 0.0], "yaw": 0.35}
+    tables = into_a_wall({"arm_force": 1e3}, start=start)
+    arms = {"joint": first | {"second": second}}
+    flight = springback.fly(tables | {"vehicle": tables["vehicle"] | {"arms": arms}})
+    c = flight.columns
+    coordinates = ("l", "dl"), ("bend", "dbend")
+    turning, sliding = coordinates if order == "hinge first" else coordinates[::-1]
+
+    def moves(names: tuple[str, str], free: float) -> tuple[Any, Any]:
+        way, rate = (np.array([c[f"{name}{j}"] for j in range(1, 5)]) for name in names)
+        return way - (free if names == ("l", "dl") else 0.0), rate
+
+    at, rate = moves(turning, 0.19)
+    torques = np.abs(2.0 * at / RADIUS + 0.02 * rate / RADIUS)
+    at, rate = moves(sliding, 0.19)
+    assert -0.02 < at.min() < -1e-3, "no stop adds to the spring"
+    inside = np.abs(5e3 * at + 20.0 * rate).max()
+    assert torques.max() > 0.1
+    for limits, share in (
+        ({"arm_force": 100.0, "hinge_torque": 1e3}, inside / 100.0),
+        ({"arm_force": 1e5, "hinge_torque": 4.0}, torques.max() / 4.0),
+        ({"hinge_torque": 4.0}, torques.max() / 4.0),
+        ({"arm_force": 100.0}, max(inside, torques.max() / RADIUS) / 100.0),
+    ):
+        vehicle = tables["vehicle"] | {"arms": arms, "limits": limits}
+        margin = value(springback.fly(tables | {"vehicle": vehicle}), "arm_margin")
+        assert margin == pytest.approx(1.0 - share, abs=2e-3), limits
+
+
+def test_a_flight_says_what_broke_and_when() -> None:
+    limits = {"guard_force": 60.0, "components": [CAMERA]}
+    flight = springback.fly(into_a_wall(limits))
+    said = repr(flight)
+    assert f"{flight.measures['guard_margin']:.5g}" in said
+    assert "component_margin" in said
+    [line] = [line for line in said.splitlines() if "broken_time" in line]
+    assert line.strip().startswith(
+        f"broken_time               {flight.measures['broken_time']:.5g} s, guard "
+    )
+    assert all(part in line for part in flight.broken_parts)
+    assert len(flight.broken_parts) >= 1
+    assert "margin" not in repr(springback.fly(into_a_wall(None)))

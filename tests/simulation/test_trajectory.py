@@ -7,7 +7,7 @@ import pytest
 
 from builders.cases import nonempty
 from springback import InputError, fly
-from springback.simulation.trajectory import KeptRows
+from springback.simulation.trajectory import StoredRows
 
 WALL = {"type": "wall", "distance": 2.5, "surface": "wall"}
 THROWN: dict[str, Any] = {
@@ -53,15 +53,15 @@ def test_of_each_interval_the_first_instant_is_kept(tables: dict[str, Any]) -> N
 def test_rows_come_in_parts_of_any_size() -> None:
     rng = np.random.default_rng(3)
     table = np.column_stack([np.cumsum(rng.exponential(1e-3, 500)), rng.normal(size=500)])
-    at_once = KeptRows(2, 3e-3)
+    at_once = StoredRows(2, 3e-3)
     at_once.add(table)
     for cuts in nonempty([[1, 2, 250], [0, 499], [7, 7, 8, 300, 301]]):
-        parts = KeptRows(2, 3e-3)
+        parts = StoredRows(2, 3e-3)
         for part in np.split(table, cuts):
             parts.add(part)
         np.testing.assert_array_equal(parts.all(), at_once.all())
     np.testing.assert_array_equal(at_once.all()[-1], table[-1])
-    every = KeptRows(2)
+    every = StoredRows(2)
     every.add(table)
     np.testing.assert_array_equal(every.all(), table)
 

@@ -3,9 +3,12 @@
 import math
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import springback
+from springback.scenario.scenario import scenario_from
+from springback.scenario.warnings import scenario_warnings
 from springback.studies.scenario_check import (
     approach_to_wall,
     check_warnings,
@@ -97,6 +100,16 @@ def test_the_force_along_an_arm_is_less_by_what_friction_holds() -> None:
         (["start.velocity.0=6"], "the stroke of arm 2 is used up, by an estimate from 4.98 m/s"),
         (["vehicle.propulsion.max_thrust=2.2"], "hover takes 79.1 %"),
         (["vehicle.body.inertia=[0.1, 0.1, 0.19]"], "is 5.53 times the mass and the square"),
+        (
+            ["vehicle.hulls=[{type='sphere', radius=0.05, surface={stiffness=1e4, exponent=1, "
+             "viscosity=2e3, in_series=false}}]"],
+            "times what is critical for its stiffness and the vehicle's mass",
+        ),
+        (
+            ["vehicle.limits={components=[{name='camera', position=[9, 0, 0], "
+             "specific_force=100}]}"],
+            "vehicle.limits.components[0] is 9 m from the middle",
+        ),
         (["vehicle.body.inertia=[1e-4, 1e-4, 1e-4]"], "is 0.00291 times the mass and the square"),
         (
             ["reference.type=run-up", "reference.speed=2", "start.position=[0, 0, 1]",
@@ -130,3 +143,38 @@ def test_a_run_up_meets_the_wall_at_the_yaw_that_it_holds(pitch: float) -> None:
     leaning = math.atan(1.0 / math.cos(pitch)) - math.pi / 4
     assert turned.angle == pytest.approx(leaning, abs=1e-9)
     assert turned.along > 0.9 > straight.along
+
+
+def test_three_rotors_turn_no_vehicle_about_its_axis() -> None:
+    """It is flown, and spins; without torques nothing turns it."""
+    arms = {"directions": ["0 deg", "120 deg", "240 deg"], "torque_ratio": 0.016}
+    tables = {
+        "vehicle": {"preset": "arq", "arms": arms, "propulsion": {"max_thrust": 20.0}},
+        "reference": {"type": "hold"},
+    }
+    [said] = scenario_warnings(scenario_from(tables))
+    assert said.startswith("the 3 rotors cannot give lift, roll, pitch and yaw each by itself")
+    tables["vehicle"]["arms"] = arms | {"torque_ratio": 0.0}
+    assert scenario_warnings(scenario_from(tables)) == []
+    tables["vehicle"] = "arq"
+    assert scenario_warnings(scenario_from(tables)) == []
+
+
+def test_arms_that_can_fold_into_each_other_are_told() -> None:
+    """The gap is the smallest of all places of both, here of a fine grid of angles."""
+    joint = {"type": "hinge", "position": [0.06, 0, 0], "axis": [0, 0, 1], "stiffness": 1.0}
+    for most, meets in ((0.1, False), (0.6, True)):
+        arms = {"joint": joint | {"travel": [-most, most]}}
+        folding = scenario_from({"vehicle": {"preset": "arq", "arms": arms}, "thrust": "hover"})
+        turns = np.linspace(-most, most, 200)
+        ends = 0.06 + 0.13 * np.exp(1j * turns)
+        own = folding.vehicle.arms
+        apart = np.abs(ends[:, None] - np.exp(0.5j * np.pi) * ends[None]).min()
+        gap = apart - 2.0 * own.at("cage_radius", 0)
+        [found] = [
+            x.value for x in derived_numbers(folding) if x.name == "gap between cages that move"
+        ]
+        assert found == pytest.approx(gap, abs=1e-3)
+        assert (found < 0.0) is meets
+        told = [line for line in check_warnings(folding) if "arms can fold until" in line]
+        assert bool(told) is meets

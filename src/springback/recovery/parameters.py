@@ -286,17 +286,16 @@ class RecoverySettings(Settings):
             fading=o.fading,
         )
 
-    def collision_characterisation(
-        self, full_scale: float, upright: bool = True
-    ) -> Characterisation:
-        """Characterisation for the kernels.
-
-        Args:
-            full_scale: Range of the accelerometer [m/s²].
-            upright: True if all that can be hit is upright; a `level` that is given goes before it.
-        """
+    def among(self, *, upright: bool) -> RecoverySettings:
+        """The same among obstacles that all are upright or not, if nothing else is said of them."""
         look = self.characterisation
-        level = upright if look.level is None else look.level
+        if look.level is not None:
+            return self
+        return self.with_checked(characterisation=look.with_checked(level=upright))
+
+    def collision_characterisation(self, full_scale: float) -> Characterisation:
+        """Characterisation for the kernels, given the accelerometer's range [m/s²]."""
+        look = self.characterisation
         return Characterisation(
             window=look.window,
             longer=look.longer,
@@ -305,7 +304,7 @@ class RecoverySettings(Settings):
             wrench=1.0 if look.source == "wrench" else 0.0,
             fused=1.0 if look.source == "fused" else 0.0,
             share=look.share,
-            level=1.0 if level else 0.0,
+            level=0.0 if look.level is False else 1.0,
             limit=min(WITHIN_RANGE * full_scale, NO_RANGE),
         )
 

@@ -152,7 +152,8 @@ def _overloads(flight: FlightResult) -> list[Event]:
     for j, arm in enumerate(flight.scenario.vehicle.airframe().arms, start=1):
         loads.append((f"guard {j}", c[f"fn{j}"], known.guards[j - 1], "N"))
         if known.arms[j - 1] < UNLIMITED:
-            forces = np.array([arm_force(arm, *moves) for moves in _arm_moves(c, j)])
+            of = known.joints[j - 1]
+            forces = np.array([arm_force(arm, *moves, of) for moves in _arm_moves(c, j)])
             loads.append((f"arm {j}", forces, known.arms[j - 1], "N"))
     for one in limits.components:
         if not (flight.is_second and any(one.position)):

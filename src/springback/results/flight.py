@@ -69,6 +69,12 @@ class Flight(FlightResult):
         self.need_trajectory()
         return events_of(self)
 
+    @property
+    def broken_parts(self) -> tuple[str, ...]:
+        """What was loaded beyond its limit, in order; empty without a trajectory."""
+        known = self.events if self.columns else ()
+        return tuple(one.text for one in known if one.kind == "broken")
+
     def resample(self, step: float | None = None, *, times: Any = None) -> dict[str, Array]:
         """Columns of trajectory and telemetry at evenly spaced or any other instants.
 
@@ -254,6 +260,7 @@ def fly(
     Warns:
         LedgerWarning: If the energy ledger does not close to 1e-4.
         ContactWarning: If a contact came as deep as the middle of what it met.
+        OverlapWarning: If cages of one vehicle came into each other.
         CommandWarning: If a pilot commands less than 0 N of a rotor and telemetry is recorded.
 
     Raises:

@@ -35,7 +35,7 @@ class FlightMeasures:
     """of the main body past its place at first touch, into the obstacle, until last separation
     [m]"""
     impact_peak_acceleration: float | None
-    """first impact: largest |dv/dt| of the main body [m/s^2]"""
+    """first impact: largest |dv/dt| of the main body; an impulse has none, nor force [m/s^2]"""
     impact_peak_acceleration_time: float | None
     """time of it [s]"""
     impact_peak_specific_force: float | None

@@ -16,9 +16,11 @@ from springback.errors import (
     FlightWarning,
     InputError,
     LedgerWarning,
+    OverlapWarning,
 )
 from springback.results.measures import FlightMeasures
 from springback.results.meshes import Mesh, surfaces_of
+from springback.results.overlap import overlapping_cages
 from springback.results.recovery_measures import RECOVERY_MEASURES
 from springback.scenario.scenario import Scenario
 from springback.scenario.worlds.imported import single_obstacles
@@ -45,7 +47,10 @@ _PRINCIPAL = (
 )  # fmt: skip
 
 #: Measures to be told of where they are not 0.
-_DAMAGE = ("propellers_hit", "rotors_stopped")
+_DAMAGE = (
+    "propellers_hit", "rotors_stopped", "guard_margin", "arm_margin", "component_margin",
+    "broken_time",
+)  # fmt: skip
 
 
 class MeasureLine(NamedTuple):
@@ -141,6 +146,8 @@ class FlightResult(FlightMeasures):
             )
         if (thin := self._pierced()) is not None:
             found[ContactWarning] = thin
+        if (crossed := overlapping_cages(self.scenario.vehicle, self.columns)) is not None:
+            found[OverlapWarning] = crossed
         commands = [values for name, values in self.telemetry.items() if name.startswith("command")]
         lowest = np.min(commands, axis=0, initial=0.0)
         below = np.flatnonzero(lowest < 0.0)
@@ -201,10 +208,19 @@ class FlightResult(FlightMeasures):
         lines = [f"Flight {self.scenario.name!r}: {self.outcome.word} ({self.message})"]
         shown = self.readable_measures()
         width = max(len(line.name) for line in shown)
-        whys = {"peak_acceleration": self._later_peak(), "impact_arm_stroke": self._bottomed()}
+        whys = {
+            "peak_acceleration": self._later_peak(),
+            "impact_arm_stroke": self._bottomed(),
+            "broken_time": "".join(f", {part}" for part in self.broken_parts),
+        }
         for line in shown:
             lines.append(f"  {line.name:<{width}} {line.text}{whys.get(line.name, '')}")
         return "\n".join(lines)
+
+    @property
+    def broken_parts(self) -> tuple[str, ...]:
+        """What was loaded beyond its limit, a sentence each; without a trajectory not known."""
+        return ()
 
     def _later_peak(self) -> str:
         """When the largest acceleration was, if not in the first impact."""

@@ -386,18 +386,8 @@ def collision_sensing(
     sensors: SensorSettings,
     gravity: float,
     tick: float,
-    upright: bool = True,
 ) -> CollisionSensing:
-    """Build the detection and characterisation of collisions.
-
-    Args:
-        recovery: Settings.
-        vehicle: As the pilot believes it to be.
-        sensors: Settings.
-        gravity: [m/s²].
-        tick: Time between two ticks of the clock [s].
-        upright: True if all that can be hit is upright.
-    """
+    """Build the detection and characterisation of collisions."""
     propulsion, imu = vehicle.propulsion, sensors.imu
     lag = propulsion.time_constant if propulsion else 0.0
     inertial = tick if imu.perfect else 1.0 / imu.rate
@@ -408,22 +398,21 @@ def collision_sensing(
         return CollisionSensing(
             recovery.wrench_observer(vehicle.mass, gravity, lag, tick, inertial),
             recovery.triggers(is_compliant, inertial, hall),
-            recovery.collision_characterisation(full_scale, upright),
+            recovery.collision_characterisation(full_scale),
         )
 
 
 def _recovery_pilot(
-    scenario: ScenarioTables,
+    s: ScenarioTables,
     cascade: Cascade,
     memory: CascadeMemory,
     believed: NominalVehicle,
     detector: CompiledDetector | None,
 ) -> CompiledPilot:
     """The pilot that recovers from collisions, around the one that flies."""
-    s, recovery, tick = scenario, scenario.recovery, 1.0 / scenario.clock
-    assert recovery is not None  # only called for scenarios with recovery
-    upright = s.world.faces_are_upright() and getattr(s, "second", None) is None
-    sensing = collision_sensing(recovery, s.vehicle, s.sensors, believed.gravity, tick, upright)
+    assert s.recovery is not None  # only called for scenarios with recovery
+    recovery, tick = s.recovery.among(upright=s.is_upright), 1.0 / s.clock
+    sensing = collision_sensing(recovery, s.vehicle, s.sensors, believed.gravity, tick)
     route: Route = recovery.route(ZERO)
     if recovery.home is None:
         route = route._replace(home=s.start.place())

@@ -75,12 +75,17 @@ class SourceText(NamedTuple):
 
 def _blame(path: tuple[Key, ...], what: str, source: SourceText, overrides: Sequence[str]) -> str:
     """Source of a problem: the override of its key, or of an obstacle in it, else file and line."""
+    whole = path
     for blamed in (path, *map(key_path, _NAMED.findall(what))):
         for word in reversed(overrides):
             parts = key_path(word.partition("=")[0])
             if blamed[: len(parts)] == parts or (blamed and parts[: len(blamed)] == blamed):
                 return f"override {excerpt(word)}"
     source, path = _file_of(source, path)
+    if _known_depth(source.tables, path) < len(path):  # by another key of its table, then
+        for word in reversed(overrides):
+            if key_path(word.partition("=")[0])[:-1] == whole[:-1] != ():
+                return f"override {excerpt(word)}"
     return place_of(source.name, source.text, path[1:] if source.is_bare else path)
 
 

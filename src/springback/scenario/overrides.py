@@ -144,7 +144,10 @@ def with_value(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
         raise InputError(f"{shown_value(word)}: {shown_value(head)} is not inside a table")
     if not rest and isinstance(node.get(head), dict) and isinstance(value, str):
         value = _named_table(value)
-    return {**node, head: with_value(node.get(head, {}), rest, value, word) if rest else value}
+    if not rest:
+        return {**node, head: value}
+    inner = {} if node.get(head) is None else node[head]  # a table that is not there yet
+    return {**node, head: with_value(inner, rest, value, word)}
 
 
 def _named_table(word: str) -> dict[str, Any]:

@@ -14,7 +14,6 @@ from springback.errors import InputError
 from springback.kernels.memo import Memo
 from springback.problems import dotted_path, problem_paths
 from springback.random_streams import Purpose, stream
-from springback.recovery.parameters import RecoverySettings
 from springback.scenario.build import (
     ReadyFlight,
     UserParts,
@@ -143,8 +142,8 @@ def _scenario_beside(first: Scenario) -> Scenario:
     shared = {name: getattr(first, name) for name in SHARED}
     seed = int(stream(first.seed, Purpose.SECOND).integers(2**63))
     own |= {"seed": seed if second.seed is None else second.seed, "name": second.name}
-    if second.recovery is not None and second.recovery.characterisation.level is None:
-        own["recovery"] = _of_any_inclination(second.recovery)
+    if second.recovery is not None:
+        own["recovery"] = second.recovery.among(upright=False)  # but for the first vehicle
     try:
         return Scenario.model_validate({**own, **shared})
     except ValidationError as error:
@@ -152,12 +151,6 @@ def _scenario_beside(first: Scenario) -> Scenario:
         raise problem(
             what, dotted_path(path if path[:1] in _PATHS else ("second", *path))
         ) from None
-
-
-def _of_any_inclination(recovery: RecoverySettings) -> RecoverySettings:
-    """A recovery that does not take what it hits for upright."""
-    look = recovery.characterisation.with_checked(level=False)
-    return recovery.with_checked(characterisation=look)
 
 
 #: Tables that two vehicles have in common.

@@ -353,6 +353,11 @@ class ScenarioTables(VehicleTables):
     whose vehicle it is, changed by further keys beside ``preset``."""
 
     @property
+    def is_upright(self) -> bool:
+        """True if all that its vehicle can hit is upright, but for the ground."""
+        return self.second is None and self.world.faces_are_upright()
+
+    @property
     def code(self) -> list[tuple[str, str]]:
         """Path and name of each object of the user's own; those of the second vehicle are its."""
         shapes = [

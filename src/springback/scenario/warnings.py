@@ -7,6 +7,8 @@ import shlex
 from collections.abc import Set
 from pathlib import Path
 
+import numpy as np
+
 from springback.contact.parameters import PLANES
 from springback.contact.worlds import surfaces_of
 from springback.control.demands import Demands, Limits, shortfalls
@@ -20,6 +22,7 @@ from springback.scenario.scenario import Scenario
 from springback.scenario.tables import ScenarioTables
 from springback.scenario.worlds.imported import Imported, single_obstacles
 from springback.scenario.worlds.mesh_check import mesh_warnings
+from springback.vehicle.parameters import Vehicle
 
 #: Distance from start.position to reference.start that is worth a warning [m] (chosen: more than
 #: five standard deviations of the trials' positions).
@@ -28,6 +31,10 @@ APART = 0.2
 TURNED = 0.2
 #: Time in which a recovery settles after the touch [s] (measured: the paper's and ours).
 SETTLES = 1.5
+#: Damping ratio of a contact that is worth a warning (chosen: that of materials is below 1).
+MOST_DAMPED = 3.0
+#: Share of the strongest moment below which there is none.
+NO_MOMENT = 1e-6
 #: Obstacles with plane faces only.
 FLAT = (*PLANES, "box", "edge", "slope", "stairs", "net", "own")
 #: Tables that only the pilot of the paper reads.
@@ -42,7 +49,7 @@ def scenario_warnings(scenario: Scenario, *, own: bool = False) -> list[str]:
         own: True if a pilot of the user's own flies it.
     """
     found = _unrepresented(scenario) + _curved(scenario)
-    found += mesh_warnings(scenario.world.obstacles)
+    found += mesh_warnings(scenario.world.obstacles) + _overdamped(scenario)
     found += _warnings_of_the_pilot(scenario, own, scenario.model_fields_set)
     if scenario.second is not None:
         other, given = scenario.beside(), scenario.second.model_fields_set
@@ -62,6 +69,28 @@ def _curved(scenario: ScenarioTables) -> list[str]:
                     "model.contact_point: the paper's contact point is made for planes; its work "
                     f"is not exact on world.obstacles[{k}], a {one.type}"
                 ]
+    return []
+
+
+def _overdamped(scenario: ScenarioTables) -> list[str]:
+    """A viscous damper of a contact that is far stronger than its spring."""
+    mass, known = scenario.vehicle.mass, dict[str, tuple[float, float]]()
+    for k, entry in enumerate(scenario.world.obstacles):
+        for one in single_obstacles([entry]):
+            for law in () if one.type == "own" else surfaces_of(one):
+                if law.exponent_value() == 1.0:
+                    known.setdefault(f"world.obstacles[{k}]", (law.stiffness, law.viscosity))
+    for k, hull in enumerate(scenario.vehicle.hulls):
+        if hull.surface is not None and hull.surface.stiffness is not None:
+            known[f"vehicle.hulls[{k}]"] = hull.surface.stiffness, hull.surface.viscosity
+    for path, (stiffness, viscosity) in known.items():
+        ratio = viscosity / (2.0 * math.sqrt(stiffness * mass))
+        if ratio > MOST_DAMPED:
+            return [
+                f"{path}.surface: a viscosity of {viscosity:g} N s/m is {ratio:.3g} times what is "
+                f"critical for its stiffness and the vehicle's mass: the force jumps at the touch, "
+                f"by some {viscosity / mass:.3g} m/s² for each m/s, and peaks say no more than that"
+            ]
     return []
 
 
@@ -94,7 +123,26 @@ def _warnings_of_the_pilot(scenario: ScenarioTables, own: bool, given: Set[str])
     lag = scenario.vehicle.propulsion.time_constant
     gains = warnings_for(scenario.control, scenario.vehicle.mass, lag)
     start = _two_starts(scenario) + _turned_away(scenario) + _arrives_late(scenario)
-    return gains + _circle_shortfalls(scenario) + start + _unfelt_jumps(scenario)
+    more = _circle_shortfalls(scenario) + _unfelt_jumps(scenario) + _unsteered(scenario.vehicle)
+    return gains + start + more
+
+
+def _unsteered(vehicle: Vehicle) -> list[str]:
+    """Rotors at the ends of arms that cannot turn the vehicle about each axis by itself."""
+    arms = () if vehicle.rotors else vehicle.airframe().arms
+    ends = [vehicle.arms.end(j) for j in range(len(arms))]
+    turning = [arm.torque_ratio for arm in arms]
+    if not any(turning):
+        return []
+    rows = np.array([[1.0] * len(arms), [e.y for e in ends], [-e.x for e in ends], turning])
+    rows /= np.abs(rows).max(axis=1, keepdims=True)
+    if np.linalg.matrix_rank(rows, tol=NO_MOMENT) == len(rows):
+        return []
+    return [
+        f"the {len(arms)} rotors cannot give lift, roll, pitch and yaw each by itself: "
+        "yaw is left without command, and the vehicle spins as their torques make it; give it more "
+        "rotors, or others than upright ones at the ends of arms (vehicle.rotors)"
+    ]
 
 
 def _unread(names: list[str], why: str) -> list[str]:

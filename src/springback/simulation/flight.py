@@ -39,7 +39,7 @@ from springback.simulation.measuring.record import (
     blank_record,
 )
 from springback.simulation.thrusts import ARRIVED, ThrustTable
-from springback.simulation.trajectory import KeptRows, check_instants
+from springback.simulation.trajectory import StoredRows, check_instants
 from springback.vehicle.arms.bent import BentArm
 from springback.vehicle.limits import LoadLimits, initial_loads
 from springback.vehicle.placed.rotors import propellers_of
@@ -332,7 +332,7 @@ def fly_one(
     shape = shape_of(model, start)
     buffers = flight_buffers(shape, [model], [start], 1)
     width = 1 + rows(shape.motion) + rows(shape.seen)
-    kept = KeptRows(width, interval)
+    stored = StoredRows(width, interval)
     run, like = entry_for(model, executor), TreeLayout(shape)
     record_row, log = -rows(shape.record), empty_log(LOG_ROWS if trace else 0, width)
     for early in _stretches(shape, buffers, 1, thrusts):
@@ -340,17 +340,17 @@ def fly_one(
         while flying:
             flying = run(like, buffers, (0,), log, SLICE, early)
             time_now = float(buffers[0, record_row])
-            check_instants(kept.count + log.used[0], time_now, model.timing.until)
+            check_instants(stored.count + log.used[0], time_now, model.timing.until)
             if progress is not None:
                 progress(time_now)
             if not has_space(log):
-                kept.add(log.rows)
+                stored.add(log.rows)
                 log = empty_log(LOG_ROWS, width)
-    kept.add(log.rows[: log.used[0]])
+    stored.add(log.rows[: log.used[0]])
     flown = flight_records(shape, [model], [start], buffers, 1)[0]
     if not trace:
         return flown
-    return flown._replace(trace=Trace(trace_columns(shape), kept.all()))
+    return flown._replace(trace=Trace(trace_columns(shape), stored.all()))
 
 
 def _stretches(

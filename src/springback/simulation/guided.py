@@ -63,7 +63,7 @@ from springback.simulation.ticks import (
     layouts_of,
     sense_and_decide,
 )
-from springback.simulation.trajectory import KeptRows, check_instants
+from springback.simulation.trajectory import StoredRows, check_instants
 from springback.vehicle.rotor_stop import TURNING, NoStop
 from springback.vehicle.state import State
 
@@ -308,7 +308,7 @@ def fly_guided(
     head = (*telemetry_head(avionics),) if trace else ()
     mailbox = _mailbox(avionics, onboard[0]) if pilot is not None else None
     telemetry = np.zeros((count if trace else 0, len(head)))
-    kept = KeptRows(len(trace_columns(shape)), interval)
+    stored = StoredRows(len(trace_columns(shape)), interval)
     record_row, memory = -rows(shape.record), None
     while at[0] < count:
         size = (LOG_ROWS, len(trace_columns(shape))) if trace else (0, 1)
@@ -326,16 +326,16 @@ def fly_guided(
                     telemetry[at[0], 1 : 1 + len(mailbox.command)] = mailbox.command
                     first = len(head) - len(mailbox.report) - len(avionics.onboard.stopped)
                     telemetry[at[0], first : first + len(mailbox.report)] = mailbox.report
-        kept.add(log.trajectory.rows[: log.trajectory.used[0]])
+        stored.add(log.trajectory.rows[: log.trajectory.used[0]])
         time_now = float(motion[0, record_row])
-        check_instants(kept.count, time_now, duration)
+        check_instants(stored.count, time_now, duration)
         if progress is not None:
             progress(time_now)
     after = rebuilt(avionics.onboard, onboard[0, rows(avionics.systems) :])
     flown = flight_records(shape, [model], [start], motion, 1)[0]
     if not trace:
         return GuidedFlown(flown, after, None)
-    flown = flown._replace(trace=Trace(trace_columns(shape), kept.all()))
+    flown = flown._replace(trace=Trace(trace_columns(shape), stored.all()))
     return GuidedFlown(flown, after, Trace(head, telemetry))
 
 

@@ -12,7 +12,7 @@ from springback.kernels.layout import Buffer
 MOST_INSTANTS = 1_000_000
 
 
-class KeptRows:
+class StoredRows:
     """Rows of a trajectory: of each interval the first, and the last of the flight."""
 
     def __init__(self, width: int, interval: float = 0.0) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from itertools import combinations
 from typing import NamedTuple
 
 import numpy as np
@@ -27,6 +28,10 @@ MOST_ASIDE = 0.02
 #: Share of the mass times the square of the reach that the largest moment of inertia seldom leaves
 #: (chosen: 0.07 to 0.30 in the library, 0.02 of a hexarotor with its battery in the middle).
 INERTIA_SHARES = (0.01, 0.5)
+#: Distance of a component from the middle, in reaches of its vehicle, seldom meant (chosen).
+FAR = 2.0
+#: Places in the travel of an arm at which its cage is looked at (chosen).
+PLACES = 41
 #: Share of a wall's force along an arm below which its spring hardly works (chosen).
 LEAST_ALONG = 0.5
 #: Distance between a wall and the one that a run-up is planned to, which is worth a warning
@@ -235,6 +240,10 @@ def _gaps(arms: Arms) -> Iterator[ScenarioQuantity]:
     yield ScenarioQuantity(
         "gap between cages", free, "m", "the smallest, arms at their free length"
     )
+    if not arms.is_planar and arms.cages:
+        about = "the smallest within their travel, one way or the other; less than 0: they meet"
+        yield ScenarioQuantity("gap between cages that move", _smallest_gap(arms), "m", about)
+        return
     soft = [pair for pair in pairs if all(arms.at("compliant", k) for k in pair)]
     touching = [share for i, j in soft if (share := _touching_share(arms, i, j)) is not None]
     if touching:
@@ -250,6 +259,19 @@ def _gap(arms: Arms, i: int, j: int, pressed: float) -> float:
         ends.append(np.array(arms.place(k, pressed * stroke)))
     apart = float(np.linalg.norm(ends[0] - ends[1]))
     return apart - float(arms.at("cage_radius", i) + arms.at("cage_radius", j))
+
+
+def _smallest_gap(arms: Arms) -> float:
+    """Smallest gap between two cages [m], each arm anywhere in the travel of its first joint."""
+    places = []
+    for k in range(len(arms.directions)):
+        ways = np.linspace(*arms.travel(k), PLACES) if arms.at("compliant", k) else np.zeros(1)
+        places.append(np.array([arms.place(k, float(way)) for way in ways]))
+    found = math.inf
+    for i, j in combinations(range(len(places)), 2):
+        apart = np.linalg.norm(places[i][:, None] - places[j][None], axis=2).min()
+        found = min(found, float(apart - arms.at("cage_radius", i) - arms.at("cage_radius", j)))
+    return found
 
 
 def _touching_share(arms: Arms, i: int, j: int) -> float | None:
@@ -308,6 +330,21 @@ def _vehicle_warnings(scenario: Scenario) -> Iterator[str]:
                 f"rotors push sideways with {100.0 * aside:.3g} % of the weight in hover: to stay "
                 f"it must lean by {degrees(math.atan(aside)):.3g} deg, and pilots of springback's "
                 "hold it level, off its place"
+            )
+    if not vehicle.arms.is_planar and vehicle.arms.cages and vehicle.is_compliant:
+        gap = _smallest_gap(vehicle.arms)
+        if gap < 0.0:
+            yield (
+                f"arms can fold until their cages are {-1e3 * gap:.3g} mm in each other, and parts "
+                "of one vehicle do not touch here: a shorter travel (vehicle.arms.joint.travel) "
+                "keeps them apart"
+            )
+    limits = vehicle.limits
+    for k, component in enumerate(() if limits is None else limits.components):
+        if (far := math.hypot(*component.position)) > FAR * vehicle.reach():
+            yield (
+                f"vehicle.limits.components[{k}] is {far:.3g} m from the middle of a vehicle that "
+                f"reaches {vehicle.reach():.3g} m: is its position in the unit that it says?"
             )
     least, most = INERTIA_SHARES
     if not least <= (found := inertia_share(vehicle)) <= most:

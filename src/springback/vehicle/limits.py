@@ -31,11 +31,19 @@ class GuardStiffness(NamedTuple):
     stiffness: tuple[float, ...]  # of each arm's guard, share of what it was
 
 
+class JointShares(NamedTuple):
+    """What the forces of both joints of an arm are multiplied by, to be held against its limit."""
+
+    first: float  # 0 if nothing is known of what it bears
+    second: float  # likewise, and of an arm of one joint
+
+
 class LoadLimits(NamedTuple):
     """What the parts of a vehicle bear; `UNLIMITED` where nothing is known."""
 
     guards: tuple[float, ...]  # normal force on the cage and the hulls of each arm [N]
     arms: tuple[float, ...]  # force of spring, damper and stops along each arm [N]
+    joints: tuple[JointShares, ...]  # of each arm
     components: tuple[ComponentLimit, ...]
     breaks: float  # 1 if a flight fails by a load beyond a limit
     broken: tuple[GuardStiffness, ...] = ()  # if guards that break lose stiffness
@@ -94,9 +102,10 @@ class LimitSettings(Settings):
     number, or one for each.  Without it guards go on as before.
     """
     arm_force: Annotated[PerArm, Unit("N", above=0.0)] | None = None
-    """Force of spring, damper and end stops along a compliant arm: one number, or one for each."""
+    """Force of spring, damper and end stops along a compliant arm: one number, or one for each.  Of
+    an arm on two joints it is that along the path of either, but of a hinge with a torque."""
     hinge_torque: Annotated[PerArm, Unit("N m", above=0.0)] | None = None
-    """The same of an arm on a hinge, as a torque about it."""
+    """The same of hinges, as a torque about them."""
     components: Annotated[tuple[Component, ...], Field(max_length=MOST_COMPONENTS)] = ()
     breaks: bool = True
     """True: a flight that passes a limit has the outcome ``broken``, and is no success."""
@@ -112,12 +121,12 @@ class LimitSettings(Settings):
                 raise problem("must not be that of another component", f"components[{k}].name")
         return self
 
-    def check(self, compliant: tuple[bool, ...], hinged: bool) -> None:
+    def check(self, compliant: tuple[bool, ...], hinges: tuple[bool, ...]) -> None:
         """Reject lists of another length than the arms, and forces of arms that are rigid.
 
         Args:
             compliant: Of each arm, True if it can slide.
-            hinged: Whether arms are on hinges.
+            hinges: Of each joint of an arm, True if it is a hinge.
         """
         for name in ("guard_force", "broken_stiffness", "arm_force", "hinge_torque"):
             given = getattr(self, name)
@@ -128,29 +137,51 @@ class LimitSettings(Settings):
         if self.arm_force is not None and not any(compliant):
             raise problem("needs a compliant arm: the force within a rigid one is not known",
                           "arm_force")  # fmt: skip
-        if self.hinge_torque is not None and not (hinged and any(compliant)):
+        if self.hinge_torque is not None and not (any(hinges) and any(compliant)):
             raise problem("needs compliant arms on hinges", "hinge_torque")
-        if self.hinge_torque is not None and self.arm_force is not None:
-            raise problem("cannot be combined with arm_force; give only one", "hinge_torque")
+        if self.hinge_torque is not None and self.arm_force is not None and all(hinges):
+            what = "cannot be combined with arm_force, as arms have no slides; give only one"
+            raise problem(what, "hinge_torque")
 
-    def limits(self, compliant: tuple[bool, ...], radii: tuple[float, ...]) -> LoadLimits:
-        """Numbers of the limits, given which arms can slide, and the radii of hinges [m]."""
+    def limits(
+        self, compliant: tuple[bool, ...], radii: tuple[tuple[float, ...], ...]
+    ) -> LoadLimits:
+        """Numbers of the limits.
+
+        Args:
+            compliant: Of each arm, True if it can slide.
+            radii: Of the paths of each joint of each arm [m]; 0 for a slide.
+        """
         places = max(PLACES, len(self.components))
         found = [ComponentLimit(Vec(*one.position), one.specific_force) for one in self.components]
         found += [ComponentLimit(Vec(0.0, 0.0, 0.0), UNLIMITED)] * (places - len(found))
-        forces = [
-            limit if slides else UNLIMITED
-            for limit, slides in zip(_each(self.arm_force, len(compliant)), compliant, strict=True)
+        count = len(compliant)
+        forces, torques = _each(self.arm_force, count), _each(self.hinge_torque, count)
+        known = [
+            _of_joints([_along(force, torque, radius if moves else None) for radius in of_arm])
+            for force, torque, moves, of_arm in zip(forces, torques, compliant, radii, strict=True)
         ]
-        if self.hinge_torque is not None:
-            torques = zip(_each(self.hinge_torque, len(compliant)), radii, compliant, strict=True)
-            forces = [most / radius if moves else UNLIMITED for most, radius, moves in torques]
-        guards = _each(self.guard_force, len(compliant))
+        guards = _each(self.guard_force, count)
         breaks = 1.0 if self.breaks else 0.0
         broken: tuple[GuardStiffness, ...] = ()
         if self.broken_stiffness is not None:
-            broken = (GuardStiffness(tuple(_each(self.broken_stiffness, len(compliant)))),)
-        return LoadLimits(tuple(guards), tuple(forces), tuple(found), breaks, broken)
+            broken = (GuardStiffness(tuple(_each(self.broken_stiffness, count))),)
+        arms, shares = zip(*known, strict=True)
+        return LoadLimits(tuple(guards), arms, shares, tuple(found), breaks, broken)
+
+
+def _along(force: float, torque: float, radius: float | None) -> float:
+    """What a joint bears along its path [N]: of a hinge by its torque, if that is known."""
+    if radius is None:
+        return UNLIMITED
+    return torque / radius if radius > 0.0 and torque < UNLIMITED else force
+
+
+def _of_joints(most: list[float]) -> tuple[float, JointShares]:
+    """Limit of an arm [N], from those of its joints, and their shares of it."""
+    limit = next((one for one in most if one < UNLIMITED), UNLIMITED)
+    first, second = ([limit / one if one < UNLIMITED else 0.0 for one in most] + [0.0])[:2]
+    return limit, JointShares(first, second)
 
 
 def _each(limit: Any, arms: int) -> list[float]:

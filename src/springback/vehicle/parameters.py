@@ -282,7 +282,7 @@ class Vehicle(Settings):
     def _limits_fit(self) -> Vehicle:
         if self.limits is not None:
             with naming("limits"):
-                self.limits.check(self._compliant, self.arms.is_hinged)
+                self.limits.check(self._compliant, self.arms.hinges)
         return self
 
     @property
@@ -294,9 +294,9 @@ class Vehicle(Settings):
         """Numbers of its limits; empty if there are none."""
         if self.limits is None:
             return ()
-        hinged = self.arms.is_hinged
-        radii = tuple(self.arms.radius(j) if hinged else 1.0 for j in range(self.arm_count))
-        return self.limits.limits(self._compliant, radii)
+        return self.limits.limits(
+            self._compliant, tuple(map(self.arms.radii, range(self.arm_count)))
+        )
 
     def hulls_on(self, part: str | int) -> tuple[HullSettings, ...]:
         """Those of ``hulls`` that are on the main body, "body", or on an arm, from 1."""

@@ -35,12 +35,12 @@ from springback.simulation.measuring.record import (
     record_after_cruise,
 )
 from springback.vehicle.arms.bent import BentArm, BentCoordinates
-from springback.vehicle.arms.joints import STRAIGHT
 from springback.vehicle.limits import (
     NO_LIMIT,
     UNLIMITED,
     ComponentLimit,
     GuardStiffness,
+    JointShares,
     LoadLimits,
     PeakLoad,
     PeakLoads,
@@ -91,27 +91,23 @@ def _felt(component: ComponentLimit, centre: Vec, omega: Vec, angular: Vec) -> f
 
 
 @generic
-def arm_force(arm: Any, length: Any, rate: Any) -> float:
+def arm_force(arm: Any, length: Any, rate: Any, shares: JointShares) -> float:
     """Force along the path of an arm that can move, between its end and the main body [N]."""
     return abs(spring_damper_force(arm, length, rate) + end_stop(arm, length, rate).force)
 
 
 @arm_force.register(BentArm)
 @kernel
-def _force_of_two(arm: BentArm, length: BentCoordinates, rate: BentCoordinates) -> float:
-    """The larger of both; of two hinges the larger torque, as a force along the first path.
-
-    Of a slide and a hinge, which no one limit is of, that of the first.
-    """
+def _force_of_two(
+    arm: BentArm, length: BentCoordinates, rate: BentCoordinates, shares: JointShares
+) -> float:
+    """The larger of both, each as a share of its own limit."""
     outer_joint, at, speed = arm.second, length, rate
     first = spring_damper_force(arm, at.first, speed.first)
     first += end_stop(arm, at.first, speed.first).force
     second = spring_damper_force(outer_joint, at.second, speed.second)
     second += end_stop(outer_joint, at.second, speed.second).force
-    curved, more = arm.joint.curvature, outer_joint.joint.curvature
-    alike = (curved > STRAIGHT) == (more > STRAIGHT)
-    lever = select(curved > STRAIGHT, curved / larger(more, STRAIGHT), 1.0) if alike else 0.0
-    return larger(abs(first), lever * abs(second))
+    return larger(shares.first * abs(first), shares.second * abs(second))
 
 
 @generic
@@ -147,7 +143,8 @@ def _loads_seen(
     time: float,
 ) -> PeakLoads:  # fmt: skip
     lengths, arm = coordinates_of_arms(airframe.arms[0], state), airframe.arms[0]
-    forces = tree_map(arm_force, (airframe.arms, lengths, rates_of_arms(arm, state)), ())
+    moves = (airframe.arms, lengths, rates_of_arms(arm, state), limits.joints)
+    forces = tree_map(arm_force, moves, ())
     at = (view.specific_force, state.angular_velocity, angular)
     felt = tree_map(_felt, (limits.components,), at)
     normal, most = field_of(view.arms, "normal"), field_of(limits.components, "most")

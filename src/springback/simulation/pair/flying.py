@@ -50,7 +50,7 @@ from springback.simulation.pair.stepping import (
     pair_guide,
 )
 from springback.simulation.ticks import GUST_NOISE, FlightLog, layouts_of
-from springback.simulation.trajectory import KeptRows, check_instants
+from springback.simulation.trajectory import StoredRows, check_instants
 from springback.vehicle.state import State
 
 
@@ -74,7 +74,7 @@ class _Side:
         self.shape = shape_of(flight.model, flight.start)
         self.motion = flight_buffers(self.shape, [flight.model], [flight.start], 1)
         self.columns = len(trace_columns(self.shape))
-        self.kept = KeptRows(self.columns, interval)
+        self.stored = StoredRows(self.columns, interval)
         self.trace = trace
         self.log = self._new_log()
         self.avionics: Any = flight.avionics or NoAvionics(period)
@@ -93,7 +93,7 @@ class _Side:
 
     def keep_log(self) -> None:
         """Put the log aside, and begin another."""
-        self.kept.add(self.log.rows[: self.log.used[0]])
+        self.stored.add(self.log.rows[: self.log.used[0]])
         self.log = self._new_log()
 
     @property
@@ -108,7 +108,7 @@ class _Side:
         flown = flight_records(self.shape, [flight.model], [flight.start], self.motion, 1)[0]
         if self.trace:
             self.keep_log()
-            flown = flown._replace(trace=Trace(trace_columns(self.shape), self.kept.all()))
+            flown = flown._replace(trace=Trace(trace_columns(self.shape), self.stored.all()))
         if flight.avionics is None:
             return flown
         at = rows(flight.avionics.systems)
@@ -196,7 +196,7 @@ def fly_both(
         if not (at[0] or own_types(a.avionics) | own_types(b.avionics)):
             compile_with_help(fly, begin_and_end_both, given)
         fly(*given)
-        instants = a.kept.count + int(a.log.used[0])
+        instants = a.stored.count + int(a.log.used[0])
         check_instants(instants if trace else 0, float(at[0]) * period, duration)
         if trace and max(a.log.used[0], b.log.used[0]) >= LOG_ROWS:
             a.keep_log()

@@ -304,9 +304,18 @@ class Arms(Settings):
         return self.joint is None and flat
 
     @property
-    def is_hinged(self) -> bool:
-        """True if arms are on hinges."""
-        return isinstance(self.joint, HingeSettings)
+    def hinges(self) -> tuple[bool, ...]:
+        """Of each joint of an arm, True if it is a hinge."""
+        second = None if self.joint is None else self.joint.second
+        joints = (self.joint,) if second is None else (self.joint, second)
+        return tuple(isinstance(one, HingeSettings | SecondHinge) for one in joints)
+
+    def radii(self, j: int) -> tuple[float, ...]:
+        """Radii of the paths of the end of arm ``j`` on each joint [m]; 0 for a slide."""
+        second = self._second_of(j)
+        paths = [self.joint_of(j)] + ([] if second is None else [second[0]])
+        radii = map(radius_of, paths)
+        return tuple(r if hinge else 0.0 for r, hinge in zip(radii, self.hinges, strict=True))
 
     def joint_of(self, j: int) -> Joint:
         """Path of the end of arm ``j``; without a joint it slides along the arm's direction."""
