@@ -56,6 +56,7 @@ _KINDS = {
         "import",
     ),
     "hulls": ("sphere", "ring", "capsule", "box", "points"),
+    "guard": ("ring", "cantilever", "shell", "pad", "sphere"),
     "joint": ("slide", "hinge"),
     "second": ("slide", "hinge"),
     "parts": ("point", "ball", "box", "tube"),

@@ -10,12 +10,22 @@ import pytest
 from click.testing import CliRunner
 
 from builders.cases import nonempty
+from springback.batch.scenarios import fly_scenarios
 from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import Plan, plan_from
 from springback.campaign.running import run_campaign
 from springback.errors import InputError
 from springback.interfaces.cli.app import cli
 from springback.vehicle.materials import MATERIALS
+from springback.vehicle.stiffness import (
+    cantilever_stiffness,
+    contact_modulus,
+    hertz_stiffness,
+    pad_stiffness,
+    ring_stiffness,
+    rod_second_moment,
+    shell_stiffness,
+)
 
 SURFACE = {"restitution": 0.5, "restitution_speed": "2 m/s", "friction": 0.4}
 SCENARIO = {
@@ -126,3 +136,90 @@ def test_show_lists_them() -> None:
     assert said.exit_code == 0
     assert "from memory" in said.output
     assert "drywall" in CliRunner().invoke(cli, ["show"]).output
+
+
+GUARDS: dict[str, tuple[dict[str, Any], float, float]] = {
+    "ring": ({"rod": "4 mm", "inner": "3 mm", "radius": "11 cm"}, 1.0, ring_stiffness(
+        1.0, rod_second_moment(0.004, 0.003), 0.11)),
+    "cantilever": ({"rod": "4 mm", "length": "10 cm"}, 1.0, cantilever_stiffness(
+        1.0, rod_second_moment(0.004), 0.1)),
+    "shell": ({"thickness": "1 mm", "radius": "15 cm"}, 1.0, shell_stiffness(1.0, 0.45, 1e-3, 0.15)),
+    "pad": ({"area": "4 cm^2", "thickness": "1 cm"}, 1.0, pad_stiffness(1.0, 4e-4, 0.01)),
+    "sphere": ({"radius": "3 cm"}, 1.5, hertz_stiffness(contact_modulus(1.0, 0.45), 0.03)),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("shape", GUARDS)
+def test_the_stiffness_of_a_guard_is_drawn_by_its_material(shape: str) -> None:
+    """Between those of the lowest and the highest modulus that are known of it."""
+    keys, exponent, per_modulus = GUARDS[shape]
+    guard = {"type": shape, "material": "tpu", **keys}
+    stiffness, power = plan_from(plan({"field": "vehicle.hulls.0.surface", "guard": guard})).vary
+    young = MATERIALS["tpu"].young
+    assert young is not None
+    assert (stiffness.field, power.field) == (
+        "vehicle.hulls.0.surface.stiffness", "vehicle.hulls.0.surface.exponent",
+    )  # fmt: skip
+    assert stiffness.from_ == pytest.approx(young.low * per_modulus, rel=1e-12)
+    assert stiffness.to == pytest.approx(young.high * per_modulus, rel=1e-12)
+    assert power.values == (exponent,)
+    assert stiffness.source is not None
+    assert f"a {shape} of tpu, derived; its modulus from memory" in stiffness.source
+
+
+def test_a_guard_flies_with_its_stiffness() -> None:
+    """A softer guard feels less: peaks fall with the stiffness that was drawn."""
+    hull = {"type": "sphere", "radius": 0.4, "surface": {
+        "stiffness": 1e4, "exponent": 1.0, "in_series": False, "viscosity": 5.0}}  # fmt: skip
+    guard = {
+        "type": "ring",
+        "material": "carbon",
+        "rod": "4 mm",
+        "inner": "3 mm",
+        "radius": "11 cm",
+    }
+    given = plan({"field": "vehicle.hulls.0.surface", "guard": guard}, samples=6)
+    vehicle = {"preset": "quad", "hulls": [hull]}
+    given["scenario"] = SCENARIO | {"vehicle": vehicle, "simulation": {"duration": 0.15}}
+    tables = lay_out(plan_from(given)).slice(0, 6).tables
+    peaks = fly_scenarios(tables).measures["impact_peak_acceleration"]
+    drawn = [one["vehicle"]["hulls"][0]["surface"]["stiffness"] for one in tables]
+    order = np.argsort(drawn)
+    assert np.all(np.diff(np.asarray(peaks)[order]) > 0.0)
+
+
+@pytest.mark.parametrize(
+    ("guard", "message"),
+    [
+        (
+            {"type": "hook", "material": "tpu"},
+            "vary[0].guard.type: must be ring, cantilever, shell, pad or sphere (got 'hook')",
+        ),
+        ({"type": "ring", "material": "tpu", "rod": "4 mm"}, "vary[0].guard.radius: is missing"),
+        (
+            {"type": "ring", "material": "tpu", "rod": "4 N", "radius": 0.1},
+            "vary[0].guard.rod: has the wrong unit",
+        ),
+        (
+            {"type": "ring", "material": "tpu", "rod": "4 mm", "inner": "5 mm", "radius": 0.1},
+            "vary[0].guard: inner must be at least 0 and less than 0.004 m",
+        ),
+        (
+            {"type": "pad", "material": "epp", "area": 1e-3, "thickness": 0.01},
+            "vary[0].guard.material: must have a modulus",
+        ),
+        (
+            {"type": "sphere", "material": "carbon", "radius": 0.01},
+            "vary[0].guard.material: must have a Poisson",
+        ),
+        (
+            {"type": "pad", "material": "tpuu", "area": 1e-3, "thickness": 0.01},
+            "vary[0].guard.material: must be a material, did you mean tpu?",
+        ),
+    ],
+)
+def test_wrong_guards_are_refused_in_one_line(guard: dict[str, Any], message: str) -> None:
+    with pytest.raises(InputError) as caught:
+        plan_from(plan({"field": "vehicle.hulls.0.surface", "guard": guard}))
+    [line] = caught.value.problems
+    assert message in line

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 import pytest
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
+from builders.cases import nonempty
 from springback.errors import InputError
 from springback.vehicle.stiffness import (
     cantilever_stiffness,
@@ -106,3 +108,24 @@ def test_what_is_no_body_is_refused(call: object, message: str) -> None:
     with pytest.raises(InputError) as caught:
         call()  # type: ignore[operator]
     assert caught.value.problems[0].startswith(message)
+
+
+def test_arguments_are_numbers_or_text_with_a_unit() -> None:
+    section = rod_second_moment("4 mm", "3 mm")
+    assert section == pytest.approx(rod_second_moment(0.004, 0.003), rel=1e-12)
+    assert ring_stiffness("120 GPa", section, "11 cm") == pytest.approx(
+        ring_stiffness(120e9, section, 0.11), rel=1e-12
+    )
+    assert series_stiffness("5 N/mm", 5e3) == pytest.approx(2.5e3)
+    wrongs: list[tuple[Callable[[], float], str]] = [
+        (
+            lambda: ring_stiffness("120 N", 1e-9, 0.11),
+            r"^young has the wrong unit .*; expected Pa$",
+        ),
+        (lambda: ring_stiffness("120", 1e-9, 0.11), r"^young has no unit .*; expected Pa$"),
+        (lambda: rod_second_moment("-4 mm"), "^diameter must be more than 0"),
+        (lambda: series_stiffness("5 N"), r"^stiffness 1 has the wrong unit .*expected N/m$"),
+    ]
+    for wrong, said in nonempty(wrongs):
+        with pytest.raises(InputError, match=said):
+            wrong()

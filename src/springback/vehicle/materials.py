@@ -19,6 +19,11 @@ class MaterialRange(NamedTuple):
     source: str
 
     @property
+    def tag(self) -> str:
+        """How it is known: ``measured``, ``derived`` or ``from memory``."""
+        return self.source.partition(";")[0].partition(":")[0]
+
+    @property
     def typical(self) -> float:
         """Geometric mean of the bounds; of bounds from 0, their mean."""
         if self.low > 0.0:

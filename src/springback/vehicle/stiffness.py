@@ -2,19 +2,45 @@
 
 Contact with something hard is governed by the guard: its stiffness is derived here, and goes into
 the ``surface`` of a hull or an obstacle.  All are small deflections of linear elastic bodies.
+Arguments are numbers in SI, or text with a unit, such as ``"120 GPa"`` or ``"4 mm"``.
 """
 
 from __future__ import annotations
 
 import math
 
-from springback.errors import InputError
+from springback.errors import InputError, shown_value
+from springback.units import UnitError, read_number
+
+#: A number in SI, or text with a unit.
+Amount = float | str
+_UNITS = {
+    "young": "Pa", "other_young": "Pa", "modulus": "Pa", "radius": "m", "diameter": "m",
+    "inner": "m", "second_moment": "m^4", "thickness": "m", "area": "m^2", "length": "m",
+}  # fmt: skip
 
 
-def _positive(**given: float) -> None:
-    for name, value in given.items():
-        if not value > 0.0 or not math.isfinite(value):
-            raise InputError(f"{name} must be more than 0 and finite (got {value:g})")
+def _si(name: str, value: Amount, unit: str = "") -> float:
+    """A number in SI, from text with a unit if it is that."""
+    unit = unit or _UNITS[name]
+    if not isinstance(value, str):
+        return float(value)
+    try:
+        return read_number(value, unit)
+    except UnitError as error:
+        told = f"{name} {error} (got {shown_value(value)}); expected {unit}"
+        raise InputError(told) from None
+
+
+def _positive(**given: Amount) -> list[float]:
+    """Numbers in SI, all of them more than 0 and finite."""
+    return [_checked(name, _si(name, value)) for name, value in given.items()]
+
+
+def _checked(name: str, value: float) -> float:
+    if not value > 0.0 or not math.isfinite(value):
+        raise InputError(f"{name} must be more than 0 and finite (got {value:g})")
+    return value
 
 
 def _poisson(**given: float) -> None:
@@ -24,7 +50,7 @@ def _poisson(**given: float) -> None:
 
 
 def contact_modulus(
-    young: float, poisson: float, other_young: float = math.inf, other_poisson: float = 0.0
+    young: Amount, poisson: float, other_young: Amount = math.inf, other_poisson: float = 0.0
 ) -> float:
     """Modulus E* of a contact of two bodies, 1/E* = Σ (1 − ν²)/E [Pa] (Hertz 1882).
 
@@ -37,14 +63,15 @@ def contact_modulus(
     Raises:
         InputError: If a modulus is not positive, or a ν that of no body.
     """
-    _positive(young=young)
-    if not other_young > 0.0:
-        raise InputError(f"other_young must be more than 0 (got {other_young:g})")
+    (e,) = _positive(young=young)
+    other = _si("other_young", other_young)
+    if not other > 0.0:
+        raise InputError(f"other_young must be more than 0 (got {other:g})")
     _poisson(poisson=poisson, other_poisson=other_poisson)
-    return 1.0 / ((1.0 - poisson**2) / young + (1.0 - other_poisson**2) / other_young)
+    return 1.0 / ((1.0 - poisson**2) / e + (1.0 - other_poisson**2) / other)
 
 
-def hertz_stiffness(modulus: float, radius: float) -> float:
+def hertz_stiffness(modulus: Amount, radius: Amount) -> float:
     """Stiffness k of a sphere on a plane, k = (4/3) E* √R, of F = k δ^1.5 [N/m^1.5] (Hertz 1882).
 
     Args:
@@ -54,11 +81,11 @@ def hertz_stiffness(modulus: float, radius: float) -> float:
     Raises:
         InputError: If one of them is not positive.
     """
-    _positive(modulus=modulus, radius=radius)
-    return 4.0 / 3.0 * modulus * math.sqrt(radius)
+    e, r = _positive(modulus=modulus, radius=radius)
+    return 4.0 / 3.0 * e * math.sqrt(r)
 
 
-def rod_second_moment(diameter: float, inner: float = 0.0) -> float:
+def rod_second_moment(diameter: Amount, inner: Amount = 0.0) -> float:
     """Second moment of area I of a rod or tube, π (D⁴ − d⁴)/64 [m⁴].
 
     Args:
@@ -68,13 +95,13 @@ def rod_second_moment(diameter: float, inner: float = 0.0) -> float:
     Raises:
         InputError: If D is not positive, or d not from 0 to less than D.
     """
-    _positive(diameter=diameter)
-    if not 0.0 <= inner < diameter:
-        raise InputError(f"inner must be at least 0 and less than {diameter:g} m (got {inner:g} m)")
-    return math.pi * (diameter**4 - inner**4) / 64.0
+    (outer,), hole = _positive(diameter=diameter), _si("inner", inner)
+    if not 0.0 <= hole < outer:
+        raise InputError(f"inner must be at least 0 and less than {outer:g} m (got {hole:g} m)")
+    return math.pi * (outer**4 - hole**4) / 64.0
 
 
-def ring_stiffness(young: float, second_moment: float, radius: float) -> float:
+def ring_stiffness(young: Amount, second_moment: Amount, radius: Amount) -> float:
     """Stiffness of a thin ring pressed across a diameter, EI/(r³ (π/4 − 2/π)) [N/m].
 
     The two forces are opposite: a guard that its arm holds opposite the wall.  One that is held on
@@ -89,11 +116,11 @@ def ring_stiffness(young: float, second_moment: float, radius: float) -> float:
     Raises:
         InputError: If one of them is not positive.
     """
-    _positive(young=young, second_moment=second_moment, radius=radius)
-    return young * second_moment / radius**3 / (0.25 * math.pi - 2.0 / math.pi)
+    e, i, r = _positive(young=young, second_moment=second_moment, radius=radius)
+    return e * i / r**3 / (0.25 * math.pi - 2.0 / math.pi)
 
 
-def shell_stiffness(young: float, poisson: float, thickness: float, radius: float) -> float:
+def shell_stiffness(young: Amount, poisson: float, thickness: Amount, radius: Amount) -> float:
     """Stiffness of a thin spherical shell under a point load, 4 E t²/(R √(3 (1 − ν²))) [N/m].
 
     For deflections below the thickness (Reissner, Journal of Mathematics and Physics 25, 1946); a
@@ -108,12 +135,12 @@ def shell_stiffness(young: float, poisson: float, thickness: float, radius: floa
     Raises:
         InputError: If one of them is not positive, or ν that of no body.
     """
-    _positive(young=young, thickness=thickness, radius=radius)
+    e, t, r = _positive(young=young, thickness=thickness, radius=radius)
     _poisson(poisson=poisson)
-    return 4.0 * young * thickness**2 / (radius * math.sqrt(3.0 * (1.0 - poisson**2)))
+    return 4.0 * e * t**2 / (r * math.sqrt(3.0 * (1.0 - poisson**2)))
 
 
-def pad_stiffness(young: float, area: float, thickness: float) -> float:
+def pad_stiffness(young: Amount, area: Amount, thickness: Amount) -> float:
     """Stiffness of a pad that is pressed on its whole face, E A/h [N/m].
 
     Args:
@@ -124,11 +151,11 @@ def pad_stiffness(young: float, area: float, thickness: float) -> float:
     Raises:
         InputError: If one of them is not positive.
     """
-    _positive(young=young, area=area, thickness=thickness)
-    return young * area / thickness
+    e, a, h = _positive(young=young, area=area, thickness=thickness)
+    return e * a / h
 
 
-def cantilever_stiffness(young: float, second_moment: float, length: float) -> float:
+def cantilever_stiffness(young: Amount, second_moment: Amount, length: Amount) -> float:
     """Stiffness at the free end of a rod that is clamped at the other, 3 E I/l³ [N/m].
 
     Args:
@@ -139,11 +166,11 @@ def cantilever_stiffness(young: float, second_moment: float, length: float) -> f
     Raises:
         InputError: If one of them is not positive.
     """
-    _positive(young=young, second_moment=second_moment, length=length)
-    return 3.0 * young * second_moment / length**3
+    e, i, x = _positive(young=young, second_moment=second_moment, length=length)
+    return 3.0 * e * i / x**3
 
 
-def series_stiffness(*stiffness: float, exponent: float = 1.0) -> float:
+def series_stiffness(*stiffness: Amount, exponent: float = 1.0) -> float:
     """Stiffness of springs F = k δⁿ in series, whose k^(−1/n) add [N/mⁿ].
 
     Args:
@@ -155,5 +182,10 @@ def series_stiffness(*stiffness: float, exponent: float = 1.0) -> float:
     """
     if not stiffness:
         raise InputError("stiffness must be given of one spring at least")
-    _positive(exponent=exponent, **{f"stiffness {k}": one for k, one in enumerate(stiffness, 1)})
-    return float(sum(one ** (-1.0 / exponent) for one in stiffness) ** -exponent)
+    _checked("exponent", exponent)
+    unit = "N/m" if exponent == 1.0 else f"N/m^{exponent:g}"
+    names = [f"stiffness {k}" for k in range(1, len(stiffness) + 1)]
+    each = [
+        _checked(name, _si(name, one, unit)) for name, one in zip(names, stiffness, strict=True)
+    ]
+    return float(sum(one ** (-1.0 / exponent) for one in each) ** -exponent)

@@ -11,9 +11,10 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, ValidationError, ValidationInfo, model_validator
 
+from springback.campaign.design.materials import ranges_of
 from springback.campaign.design.posterior import Posterior, existing_file, with_overlay
 from springback.errors import InputError, excerpt, shown_value
-from springback.problems import dotted_path, key_path, nearest_name, problem_paths
+from springback.problems import dotted_path, key_path, problem_paths
 from springback.quantities import Unit
 from springback.scenario.code_files import absolute_code, with_absolute_names
 from springback.scenario.files import place_of, read_scenario
@@ -31,7 +32,6 @@ from springback.settings import Name, Settings, naming, problem
 from springback.studies.trials import Scatter
 from springback.user_code import Arguments, CodeName
 from springback.vehicle.library import VEHICLES
-from springback.vehicle.materials import MATERIALS
 
 Method = Literal["grid", "random", "latin-hypercube", "sobol"]
 #: Upper limit of samples, and of repeats, to catch typing errors (chosen).
@@ -123,36 +123,6 @@ class Vary(Spaced):
             what = f"must be at most {MOST_LEVELS} values (got {len(self.values)})"
             raise problem(what, "values")
         return self
-
-
-def _of_material(given: Any) -> list[Any]:
-    """A field of a plan; for the surface of a material its restitution and its friction."""
-    if not isinstance(given, dict) or "material" not in given:
-        return [given]
-    rest = {key: value for key, value in given.items() if key not in ("field", "material")}
-    field, name = given.get("field"), given["material"]
-    if not isinstance(field, str) or field.rpartition(".")[2] not in ("surface", "backing"):
-        raise problem(
-            f"must be a surface, such as world.obstacles.0.surface (got {shown_value(field)})",
-            "field",
-        )
-    known = MATERIALS.get(name) if isinstance(name, str) else None
-    if known is None:
-        near = nearest_name(str(name), MATERIALS)
-        hint = f"did you mean {near}?" if near else f"known: {', '.join(MATERIALS)}"
-        raise problem(f"must be a material, {hint} (got {shown_value(name)})", "material")
-    if len(given) > len({"field", "material", *rest} & {"field", "material", "count", "step"}):
-        raise problem("has a range of its own; besides it only count and step", "material")
-    path = "world.obstacles.0.surface" if field == "surface" else field
-    drawn = {"restitution": known.restitution, "friction": known.friction}
-    return [
-        {
-            "field": f"{path}.{what}", FROM: span.low, "to": span.high, **rest,
-            "source": f"{what} of {name}, {span.source}",
-        }
-        for what, span in drawn.items()
-        if span is not None
-    ]  # fmt: skip
 
 
 class ScatterSettings(Settings):
@@ -296,13 +266,13 @@ class Plan(Settings):
     @model_validator(mode="before")
     @classmethod
     def _materials(cls, given: Any) -> Any:
-        """A raw plan, its materials replaced by the ranges that are known of them."""
+        """A raw plan, its materials and guards replaced by the ranges that are known of them."""
         if not isinstance(given, dict) or not isinstance(given.get("vary"), list | tuple):
             return given
         fields = []
         for k, one in enumerate(given["vary"]):
             with naming(f"vary.{k}"):
-                fields += _of_material(one)
+                fields += ranges_of(one)
         return {**given, "vary": fields}
 
     @model_validator(mode="after")

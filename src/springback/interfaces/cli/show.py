@@ -44,7 +44,13 @@ def show(preset: str | None, terminal: Terminal) -> None:
     entry = known_preset("vehicle, surface, estimator or material", preset, known)
     if preset in MATERIALS:
         ranges = {
-            ("young [Pa]" if name == "young" else name): value._asdict()
+            ("young [Pa]" if name == "young" else name): {
+                "low": value.low,
+                "typical": value.typical,
+                "high": value.high,
+                "tag": value.tag,
+                "source": value.source,
+            }
             if isinstance(value, MaterialRange)
             else value
             for name, value in entry._asdict().items()
