@@ -7,7 +7,7 @@ import pytest
 
 import springback
 from springback.errors import OverlapWarning
-from springback.results.overlap import end_positions
+from springback.results.joints.overlap import end_positions
 from springback.vehicle.arms.joints import path_point
 
 FOLDING = {

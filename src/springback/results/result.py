@@ -18,9 +18,9 @@ from springback.errors import (
     LedgerWarning,
     OverlapWarning,
 )
+from springback.results.joints.overlap import overlapping_cages
 from springback.results.measures import FlightMeasures
 from springback.results.meshes import Mesh, surfaces_of
-from springback.results.overlap import overlapping_cages
 from springback.results.recovery_measures import RECOVERY_MEASURES
 from springback.scenario.scenario import Scenario
 from springback.scenario.worlds.imported import single_obstacles

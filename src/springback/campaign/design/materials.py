@@ -26,7 +26,7 @@ from springback.vehicle.stiffness import (
 _BESIDE = ("field", "count", "step")
 
 
-class Guard(Settings):
+class GuardSettings(Settings):
     """What meets an obstacle, of one material: its stiffness is derived from its shape."""
 
     type: str
@@ -38,7 +38,7 @@ class Guard(Settings):
         raise NotImplementedError
 
 
-class RingGuard(Guard):
+class RingGuard(GuardSettings):
     """A ring of a rod or tube, pressed across a diameter."""
 
     type: Literal["ring"]
@@ -54,7 +54,7 @@ class RingGuard(Guard):
         return ring_stiffness(young, rod_second_moment(self.rod, self.inner), self.radius)
 
 
-class CantileverGuard(Guard):
+class CantileverGuard(GuardSettings):
     """A rod or tube that is clamped at one end and pressed at the other."""
 
     type: Literal["cantilever"]
@@ -70,7 +70,7 @@ class CantileverGuard(Guard):
         return cantilever_stiffness(young, rod_second_moment(self.rod, self.inner), self.length)
 
 
-class ShellGuard(Guard):
+class ShellGuard(GuardSettings):
     """A thin spherical shell under a point load."""
 
     type: Literal["shell"]
@@ -84,7 +84,7 @@ class ShellGuard(Guard):
         return shell_stiffness(young, poisson, self.thickness, self.radius)
 
 
-class PadGuard(Guard):
+class PadGuard(GuardSettings):
     """A pad that is pressed on its whole face."""
 
     type: Literal["pad"]
@@ -98,7 +98,7 @@ class PadGuard(Guard):
         return pad_stiffness(young, self.area, self.thickness)
 
 
-class SphereGuard(Guard):
+class SphereGuard(GuardSettings):
     """A massive sphere, by Hertz."""
 
     type: Literal["sphere"]
@@ -188,7 +188,7 @@ def _of_guard(table: Any) -> list[Any]:
     return [("stiffness", span), ("exponent", {"values": [exponent_of(guard)]})]
 
 
-def exponent_of(guard: Guard) -> float:
+def exponent_of(guard: GuardSettings) -> float:
     """Exponent of the contact of a guard: that of Hertz for a sphere, else 1."""
     return 1.5 if isinstance(guard, SphereGuard) else 1.0
 
