@@ -50,6 +50,11 @@ def _name(value: str) -> str:
 Name = Annotated[str, AfterValidator(_name)]
 
 
+def none_for_false(value: Any) -> Any:
+    """None for False, which removes the table of a preset; for `BeforeValidator`."""
+    return None if value is False else value
+
+
 class _SettingsType(ModelMetaclass):
     """Metaclass that reports invalid arguments of a constructor as `InputError`, one line each.
 

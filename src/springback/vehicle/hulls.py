@@ -22,7 +22,7 @@ from springback.frames import attitude_from_euler
 from springback.kernels.routines import NumberTable, number_at
 from springback.kernels.vectors import Quat, Vec, rotation
 from springback.quantities import Angle, Length, Triple, Unit
-from springback.settings import Settings, naming, problem
+from springback.settings import Settings, naming, none_for_false, problem
 from springback.vehicle.force_laws import (
     HULL_CURVE,
     HULL_SURFACE,
@@ -149,7 +149,7 @@ class SphereHull(_Hull):
     type: Literal["sphere"]
     position: Place = (0.0, 0.0, 0.0)
     radius: Length
-    gimbal: Gimbal | None = None
+    gimbal: Annotated[Gimbal | None, BeforeValidator(none_for_false)] = None
     """With it the sphere turns by itself; it is then the only hull of the main body."""
 
     @property

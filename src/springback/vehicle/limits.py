@@ -189,8 +189,3 @@ def _each(limit: Any, arms: int) -> list[float]:
     if limit is None:
         return [UNLIMITED] * arms
     return list(limit) if isinstance(limit, tuple) else [limit] * arms
-
-
-def limits_or_none(value: Any) -> Any:
-    """Validate the table of limits; False removes those of a preset."""
-    return None if value is False else value

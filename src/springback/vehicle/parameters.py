@@ -14,13 +14,13 @@ from springback.errors import shown_value
 from springback.kernels.tracing import hypot, sqrt, traceable  # for batch set-up
 from springback.kernels.vectors import Mat3, Vec
 from springback.quantities import Mass, PerArm, Triple, Unit, si_number
-from springback.settings import Name, Settings, naming, problem
+from springback.settings import Name, Settings, naming, none_for_false, problem
 from springback.vehicle.arms.bent import BentArm
 from springback.vehicle.arms.joints import JointedArm, preload_strain
 from springback.vehicle.arms.settings import Arms as Arms
 from springback.vehicle.arms.settings import exact
 from springback.vehicle.hulls import HullSettings, SphereHull, compound_hull, no_hull
-from springback.vehicle.limits import LimitSettings, LoadLimits, limits_or_none
+from springback.vehicle.limits import LimitSettings, LoadLimits
 from springback.vehicle.mass.bearings import check_rest
 from springback.vehicle.mass.bounds import check_inertia
 from springback.vehicle.mass.parts import MassParts, with_mass_of_parts
@@ -174,17 +174,12 @@ class Hull(Settings):
     """Position of its centre from the centre of the main body, body axes."""
 
 
-def _hull(value: Any) -> Any:
-    """Validate a hull; False removes that of a preset."""
-    return None if value is False else value
-
-
 class Vehicle(Settings):
     """A vehicle: a main body and arms.  Rigid and compliant differ in ``arms.compliant`` only."""
 
     name: Name = "vehicle"
     body: Body
-    hull: Annotated[Hull | None, BeforeValidator(_hull)] = None
+    hull: Annotated[Hull | None, BeforeValidator(none_for_false)] = None
     """Without one, or with false in place of a preset's, the main body has no contact."""
     hulls: tuple[HullSettings, ...] = ()
     """More hulls, on the main body or on arms, besides ``hull`` and the cages."""
@@ -193,7 +188,7 @@ class Vehicle(Settings):
     """Rotors, each on the main body or at the end of an arm; without a list, one for each arm."""
     propulsion: Propulsion | None = None
     """Rotors and battery; without it, thrusts are given from outside and have no bounds."""
-    limits: Annotated[LimitSettings | None, BeforeValidator(limits_or_none)] = None
+    limits: Annotated[LimitSettings | None, BeforeValidator(none_for_false)] = None
     """What its parts bear; without it, or with false in place of a preset's, nothing breaks."""
 
     @model_validator(mode="after")

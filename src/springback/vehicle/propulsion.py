@@ -7,8 +7,8 @@ from typing import Annotated, Any, NamedTuple
 from pydantic import BeforeValidator, model_validator
 
 from springback.quantities import Length, Unit
-from springback.settings import Settings, naming, problem
-from springback.vehicle.rotor_stop import NoStop, RotorStop, StopSettings, stop_or_none
+from springback.settings import Settings, naming, none_for_false, problem
+from springback.vehicle.rotor_stop import NoStop, RotorStop, StopSettings
 from springback.vehicle.rotors import Rotors
 
 
@@ -34,7 +34,7 @@ class SurfaceEffectSettings(Settings):
 
 def effect_or_none(value: Any) -> Any:
     """Validate the table of an effect; True is one of defaults, False removes that of a preset."""
-    return {} if value is True else None if value is False else value
+    return {} if value is True else none_for_false(value)
 
 
 class Propulsion(Settings):
@@ -59,7 +59,7 @@ class Propulsion(Settings):
     """Of that disc above the plane of the arms, along body z; the cages lie in that plane.  Of a
     rotor that the vehicle lists, from its position along its axis.
     """
-    stop: Annotated[StopSettings | None, BeforeValidator(stop_or_none)] = None
+    stop: Annotated[StopSettings | None, BeforeValidator(none_for_false)] = None
     """Rotors that stop when they are hit; without it, or with false in place of a preset's, they
     follow their commands whatever they hit.
     """

@@ -289,8 +289,3 @@ class StopSettings(Settings):
             )
         if self.rotor_inertia > 0.0 and self.thrust_coefficient is None:
             raise problem("is missing: rotor_inertia needs it", "thrust_coefficient")
-
-
-def stop_or_none(value: Any) -> Any:
-    """Validate the table of a stop; False removes that of a preset."""
-    return None if value is False else value

@@ -11,7 +11,7 @@ from springback.errors import shown_value
 from springback.kernels.tracing import cos, sin, sqrt, traceable
 from springback.kernels.vectors import Vec, norm
 from springback.quantities import PerArm, Unit, si_number
-from springback.settings import Settings, naming, problem
+from springback.settings import Settings, naming, none_for_false, problem
 from springback.vehicle.arms.bent import SecondJoint
 from springback.vehicle.arms.joint_settings import (
     HingeSettings,
@@ -102,8 +102,9 @@ class Arms(Settings):
     stop_stiffness: Annotated[PerArm, Unit("N/m", above=0.0)] = 2e5
     stop_dissipation: Annotated[PerArm, Unit("s/m", least=0.0)] = 0.5
     """Coefficient d of the stops' force k δ (1 + d δ̇)."""
-    neighbours: NeighbourSettings | None = None
-    """Springs between the ends of arms that follow each other; none: arms move by themselves."""
+    neighbours: Annotated[NeighbourSettings | None, BeforeValidator(none_for_false)] = None
+    """Springs between the ends of arms that follow each other; without it, or with false in place of
+    a preset's, arms move by themselves."""
     torque_ratio: Annotated[PerArm, Unit("m", least=0.0)] = 0.0
     """c_τ, rotor torque per unit thrust."""
     spin: Annotated[tuple[int, ...] | None, BeforeValidator(_signs)] = None
