@@ -103,8 +103,8 @@ class Arms(Settings):
     stop_dissipation: Annotated[PerArm, Unit("s/m", least=0.0)] = 0.5
     """Coefficient d of the stops' force k δ (1 + d δ̇)."""
     neighbours: Annotated[NeighbourSettings | None, BeforeValidator(none_for_false)] = None
-    """Springs between the ends of arms that follow each other; without it, or with false in place of
-    a preset's, arms move by themselves."""
+    """Springs between the ends of arms that follow each other; without it, or with false in place
+    of a preset's, arms move by themselves."""
     torque_ratio: Annotated[PerArm, Unit("m", least=0.0)] = 0.0
     """c_τ, rotor torque per unit thrust."""
     spin: Annotated[tuple[int, ...] | None, BeforeValidator(_signs)] = None
