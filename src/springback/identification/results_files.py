@@ -13,6 +13,7 @@ from springback.errors import InputError
 from springback.identification.estimates import FieldEstimate
 from springback.identification.fits import FitResult
 from springback.identification.law_comparison import LawComparison
+from springback.identification.solving.pooled_fields import pooled_vector
 from springback.identification.unknowns import DIRECTIONS, FARTHEST, INERTIA
 from springback.logs.recording import Array
 from springback.random_streams import Purpose, stream
@@ -102,27 +103,24 @@ def write_files(
 
 
 def draws(result: FitResult, count: int = DRAWS) -> Array:
-    """Draws of all fields for a next impact [SI], shape (draws, fields).
+    """Draws of all fields for a next impact [SI], shape (draws, fields), correlations included.
 
-    One impact: the posterior by Laplace, correlations included.  Several: the values that they tell
-    together, with the scatter from impact to impact; known fields by their uncertainty.
+    One impact: the posterior by Laplace.  Several: what they tell together of what is common and
+    of what they share, and the scatter from impact to impact.
     """
-    generator = stream(result.plan.seed, Purpose.SCATTER)
-    normal = generator.standard_normal((count, len(result.estimates)))
+    names = [one.unknown.name for one in result.estimates]
     if len(result.fits) == 1:
-        fit = result.fits[0]
-        which = [fit.problem.place[one.unknown.name] for one in result.estimates]
-        part = fit.covariance[np.ix_(which, which)]
-        u = fit.point[which] + normal @ np.linalg.cholesky(part).T
+        [fit] = result.fits
+        which = [fit.problem.place[name] for name in names]
+        mean, covariance = fit.point[which], fit.covariance[np.ix_(which, which)]
     else:
-        columns = []
-        for one, column in zip(result.estimates, normal.T, strict=True):
-            if one.pooled is None:
-                columns.append(one.unknown.coordinate(one.value) + one.deviation * column)
-                continue
-            spread = np.hypot(one.deviation, one.pooled.scatter)
-            columns.append(one.pooled.value + spread * column)
-        u = np.stack(columns, axis=1)
+        pooled = pooled_vector(result.fits, scatter=result.plan.scatter == "impact")
+        which = [pooled.names.index(name) for name in names]
+        mean = pooled.mean[which]
+        covariance = (pooled.covariance + pooled.scatter)[np.ix_(which, which)]
+    generator = stream(result.plan.seed, Purpose.SCATTER)
+    normal = generator.standard_normal((count, len(names)))
+    u = mean + normal @ np.linalg.cholesky(covariance).T
     u = np.clip(u, -FARTHEST, FARTHEST)
     values = [one.unknown.value(u[:, k]) for k, one in enumerate(result.estimates)]
     return np.stack(values, axis=1)
