@@ -22,7 +22,12 @@ from springback.identification.fits import base_scenario, fields_of_plan
 from springback.identification.observations.channel_window import ChannelWindow
 from springback.identification.observations.initial_state import InitialState
 from springback.identification.observations.likelihood import ImpactProblem
-from springback.identification.observations.noise import ChannelNoise, white_noise
+from springback.identification.observations.noise import (
+    ChannelNoise,
+    filtered_noise,
+    white_noise,
+)
+from springback.identification.observations.sensor_chain import ChannelChain, noise_covariances
 from springback.identification.observations.windows import FLOORS, ImpactWindow
 from springback.identification.sensitivity import (
     FieldSensitivity,
@@ -270,13 +275,18 @@ def planned_window(plan: FitPlan, scenario: Scenario, name: str) -> ImpactWindow
     if "imu" in plan.candidates.sensors:
         imu = sensors.imu
         rate = scenario.clock if imu.perfect else imu.rate
-        for quantity, part, given in (
-            (SPECIFIC_FORCE, imu.accelerometer, plan.sensors.accelerometer.noise),
-            (ANGULAR_VELOCITY, imu.gyroscope, plan.sensors.gyroscope.noise),
+        for quantity, part, planned in (
+            (SPECIFIC_FORCE, imu.accelerometer, plan.sensors.accelerometer),
+            (ANGULAR_VELOCITY, imu.gyroscope, plan.sensors.gyroscope),
         ):
+            given = planned.noise
             deviation = part.noise * math.sqrt(0.5 * scenario.clock)
             share = -math.expm1(-2.0 * math.pi * part.bandwidth / scenario.clock)
             noise = _filtered_noise(deviation, share, FLOORS[quantity])
+            own = None if imu.perfect else part.bandwidth
+            chain = ChannelChain(None, planned.low_pass, None, planned.low_pass_order or 1, own)
+            if (behind := noise_covariances(chain, rate)) is not None:
+                noise = filtered_noise(max(deviation, FLOORS[quantity]), behind, 3)
             noise = noise if given is None else white_noise(given, 3)
             add(quantity, rate, noise, False, 3)
     if "motion-capture" in plan.candidates.sensors:
