@@ -210,4 +210,7 @@ def experiments_text(found: ExperimentPlan) -> str:
         aligned = (f"{cell:>{size}}" for cell, size in zip(cells, sizes[1:], strict=True))
         lines.append("  ".join([f"{name:{sizes[0]}}", *aligned]))
     lines += [f"cannot be flown: {name}: {why}" for name, why in found.refused]
+    if found.assumed:
+        lines += ["", "assumed exactly, of all chosen tests together:"]
+        lines += [f"  {text}" for text in found.assumed]
     return "\n".join(lines)
