@@ -7,11 +7,11 @@ from pathlib import Path
 import numpy as np
 
 from builders.rigs import rig_fit
-from springback.identification.design.experiments import plan_experiments
-from springback.identification.design.planned_assumptions import (
-    PlannedImpact,
+from springback.identification.design.assumptions import (
+    ImpactPoint,
     planned_assumptions,
 )
+from springback.identification.design.experiments import plan_experiments
 from springback.identification.report.assumptions import assumption_sentences, assumptions
 from springback.identification.settings import read_fit_plan
 from springback.interfaces.cli.identify.fitting import experiments_text
@@ -26,7 +26,7 @@ def test_one_impact_relies_on_what_its_fit_relies_on() -> None:
     [fit] = result.fits
     size = fit.problem.count
     total = np.asarray(np.linalg.inv(fit.covariance[:size, :size]), dtype=float)
-    said = planned_assumptions([PlannedImpact(fit.problem, fit.point, fit.jacobian)], total)
+    said = planned_assumptions([ImpactPoint(fit.problem, fit.point, fit.jacobian)], total)
     wanted = assumption_sentences(assumptions([fit]), result.estimates)
     assert len(wanted) > 3
     # The last names what moves nothing, in an order of its own.

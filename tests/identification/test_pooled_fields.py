@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from builders.cases import nonempty
 from springback.identification.estimates import field_estimates
 from springback.identification.results_files import draws
 from springback.identification.unknowns import Unknown
@@ -108,7 +109,8 @@ def test_means_and_widths_of_draws_are_those_of_the_estimates() -> None:
     noise = [rng.standard_normal(12) + rows[:, :2] @ (0.05 * rng.standard_normal(2)) for _ in "abc"]
     fits = [impact(rows, rows @ true + one) for one in noise]
     found = posterior(fits, "impact")
-    for one, column in zip(field_estimates(fits, scatter=True)[:2], found.T, strict=False):
+    free = field_estimates(fits, scatter=True)[:2]
+    for one, column in nonempty(zip(free, found.T[:2], strict=True)):
         assert one.pooled is not None
         assert column.mean() == pytest.approx(one.value, abs=0.1 * one.deviation)
         wanted = np.hypot(one.deviation, one.pooled.scatter)

@@ -17,8 +17,8 @@ import numpy as np
 import scipy  # submodules are loaded on first use
 
 from springback.errors import InputError
-from springback.identification.design.planned_assumptions import (
-    PlannedImpact,
+from springback.identification.design.assumptions import (
+    ImpactPoint,
     planned_assumptions,
 )
 from springback.identification.estimates import NOT_LEARNED
@@ -148,7 +148,7 @@ def plan_experiments(
     free = np.array([one.role == "free" for one in fields])
     usable = [one for one in found if not one.problem]
     chosen: list[ChosenExperiment] = []
-    flown = [PlannedImpact(fit.problem, fit.point, fit.jacobian) for fit in fits]
+    flown = [ImpactPoint(fit.problem, fit.point, fit.jacobian) for fit in fits]
     total = known
     for _ in range(plan.candidates.count if usable else 0):
         volumes = [_volume(total + one.information, free) for one in usable]
@@ -159,7 +159,7 @@ def plan_experiments(
         assert best.likelihood is not None
         assert best.jacobian is not None
         middle = np.zeros(len(best.likelihood.unknowns))
-        flown.append(PlannedImpact(best.likelihood, middle, best.jacobian))
+        flown.append(ImpactPoint(best.likelihood, middle, best.jacobian))
     alone = [(one.name, _half_widths(fields, known + one.information)) for one in usable]
     return ExperimentPlan(
         tuple(one for one in fields if one.role == "free"),

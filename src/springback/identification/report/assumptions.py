@@ -72,7 +72,7 @@ def assumptions(fits: Sequence[ImpactFit]) -> list[Assumption]:
                 total[one.name].setdefault(name, []).append(shift)
                 if np.isfinite(shift):
                     weights[one.name] = max(weights[one.name], abs(shift) / fit.deviation(name))
-    found = [untried(one) for one in fixed]
+    found = [untried_field(one) for one in fixed]
     for one in candidates:
         shifts = {name: float(np.nanmean(each)) for name, each in total[one.name].items()
                   if not np.isnan(each).all()}  # fmt: skip
@@ -118,7 +118,7 @@ def assumption_sentences(
     return said
 
 
-def untried(one: Unknown) -> Assumption:
+def untried_field(one: Unknown) -> Assumption:
     """A field of which another value is another law."""
     return Assumption(one.name, one.centre, one.unit, "", {}, np.inf)
 

@@ -32,7 +32,7 @@ class SharedNumbers(NamedTuple):
     covariance: Array
 
 
-class PooledSum(NamedTuple):
+class PooledResult(NamedTuple):
     """What impacts tell of a sum of their fields."""
 
     value: PooledValue
@@ -41,7 +41,7 @@ class PooledSum(NamedTuple):
     """Of the interval of Knapp and Hartung, against the normal one of the same weights."""
 
 
-class PooledVector(NamedTuple):
+class PooledPosterior(NamedTuple):
     """What several impacts tell of their fields together, in u."""
 
     names: list[str]
@@ -67,7 +67,7 @@ def shared_numbers(fits: Sequence[ImpactFit], *, scatter: bool) -> SharedNumbers
     for fit in fits:
         told = _told(fit, kept)
         precision += told.precision
-        weighted += told.weighted
+        weighted += told.weighted_point
     covariance = np.asarray(np.linalg.inv(precision), dtype=float)
     mean, first = covariance @ weighted, len(kept) - len(names)
     return SharedNumbers(names, mean[first:], covariance[first:, first:])
@@ -80,7 +80,7 @@ def pooled_sum(
     *,
     scatter: bool,
     profiled: Array,
-) -> PooledSum:
+) -> PooledResult:
     """What impacts tell of a sum of their fields' numbers u.
 
     Args:
@@ -113,12 +113,12 @@ def pooled_sum(
         low=together.value - float(np.hypot(together.value - together.low, wide)),
         high=together.value + float(np.hypot(together.high - together.value, wide)),
     )
-    return PooledSum(value, widening)
+    return PooledResult(value, widening)
 
 
 def pooled_field(
     name: str, fits: Sequence[ImpactFit], shared: SharedNumbers, *, scatter: bool
-) -> PooledSum:
+) -> PooledResult:
     """What impacts tell of one free field.
 
     Args:
@@ -132,7 +132,7 @@ def pooled_field(
     return pooled_sum(weights, fits, shared, scatter=scatter, profiled=profiled)
 
 
-def pooled_vector(fits: Sequence[ImpactFit], *, scatter: bool) -> PooledVector:
+def pooled_vector(fits: Sequence[ImpactFit], *, scatter: bool) -> PooledPosterior:
     """What impacts tell of all fields together, with their correlations.
 
     Standard deviations of the scatter are those of each field (`pooled_field`), and so is the
@@ -166,7 +166,7 @@ def pooled_vector(fits: Sequence[ImpactFit], *, scatter: bool) -> PooledVector:
     whole = np.block([[covariance + across @ follow.T, across], [across.T, shared.covariance]])
     scattered = np.zeros_like(whole)
     scattered[:count, :count] = between
-    return PooledVector(names, np.concatenate([at, shared.mean]), whole, scattered)
+    return PooledPosterior(names, np.concatenate([at, shared.mean]), whole, scattered)
 
 
 def _free(fit: ImpactFit) -> list[str]:
@@ -181,7 +181,7 @@ def _profiled(name: str, fit: ImpactFit) -> float:
     return fit.deviation(name) ** 2 / float(fit.covariance[k, k])
 
 
-class _Told(NamedTuple):
+class _ImpactData(NamedTuple):
     """What an impact tells of some numbers u."""
 
     precision: Array  # of its data alone
@@ -189,12 +189,12 @@ class _Told(NamedTuple):
     covariance: Array  # with the prior
 
     @property
-    def weighted(self) -> Array:
+    def weighted_point(self) -> Array:
         """Precision times the centre of the data alone: Λ m = C⁻¹ û."""
         return np.asarray(self.precision @ self.point + self.point)
 
 
-def _told(fit: ImpactFit, names: Sequence[str]) -> _Told:
+def _told(fit: ImpactFit, names: Sequence[str]) -> _ImpactData:
     """What an impact tells of some numbers, the free ones as wide as their profiles."""
     which = [fit.problem.place[name] for name in names]
     free = set(_free(fit))
@@ -203,10 +203,10 @@ def _told(fit: ImpactFit, names: Sequence[str]) -> _Told:
     inverse = np.linalg.inv(covariance)
     values, vectors = np.linalg.eigh(0.5 * (inverse + inverse.T) - np.eye(len(which)))
     precision = (vectors * np.maximum(values, 0.0)) @ vectors.T
-    return _Told(precision, fit.point[which], covariance)
+    return _ImpactData(precision, fit.point[which], covariance)
 
 
-def _common(told: Sequence[_Told], between: Array) -> tuple[Array, Array]:
+def _common(told: Sequence[_ImpactData], between: Array) -> tuple[Array, Array]:
     """Precision and mean of what is common, for a scatter of the free fields; without priors."""
     size = len(told[0].point)
     scatter = np.zeros((size, size))
@@ -215,12 +215,12 @@ def _common(told: Sequence[_Told], between: Array) -> tuple[Array, Array]:
     for one in told:
         left = np.eye(size) + one.precision @ scatter
         precision += np.linalg.solve(left, one.precision)
-        weighted += np.linalg.solve(left, one.weighted)
+        weighted += np.linalg.solve(left, one.weighted_point)
     mean = np.asarray(np.linalg.solve(precision + _LEAST * np.eye(size), weighted), dtype=float)
     return precision, mean
 
 
-def _scatter_matrix(tau: Array, told: Sequence[_Told], mean: Array) -> Array:
+def _scatter_matrix(tau: Array, told: Sequence[_ImpactData], mean: Array) -> Array:
     """Covariance of the scatter, of standard deviations that are known.
 
     Correlations are of the impacts' differences from the mean, their own uncertainty taken out,

@@ -20,14 +20,14 @@ from springback.identification.report.assumptions import (
     assumed_fields,
     assumed_gradients,
     assumption_sentences,
-    untried,
+    untried_field,
 )
 from springback.logs.recording import Array
 
 _HALF = float(scipy.stats.norm.ppf(0.975))
 
 
-class PlannedImpact(NamedTuple):
+class ImpactPoint(NamedTuple):
     """An impact that is flown, or will be."""
 
     problem: ImpactProblem
@@ -35,7 +35,7 @@ class PlannedImpact(NamedTuple):
     jacobian: Array  # with the rows of the priors
 
 
-def planned_assumptions(impacts: Sequence[PlannedImpact], total: Array) -> list[str]:
+def planned_assumptions(impacts: Sequence[ImpactPoint], total: Array) -> list[str]:
     """Fields that are taken as exact, those that move the result most first, and what to do.
 
     Args:
@@ -58,7 +58,7 @@ def planned_assumptions(impacts: Sequence[PlannedImpact], total: Array) -> list[
     covariance = np.linalg.inv(total)
     moved, deviations = -covariance @ gradient, np.sqrt(np.diag(covariance))
     free = [k for k, one in enumerate(first.fields) if one.role == "free"]
-    found = [untried(one) for one in fixed]
+    found = [untried_field(one) for one in fixed]
     for j, one in enumerate(tried):
         shifts = {first.fields[k].name: float(moved[k, j]) for k in free}
         weight = max(abs(float(moved[k, j])) / float(deviations[k]) for k in free)
