@@ -36,7 +36,9 @@ def posterior(fits: Any, scatter: str, count: int = 20_000) -> Any:
     """Draws of the fields."""
     estimates = field_estimates(fits, scatter=scatter == "impact")
     result: Any = SimpleNamespace(
-        plan=SimpleNamespace(seed=3, scatter=scatter), fits=fits, estimates=estimates
+        plan=SimpleNamespace(seed=3, scatter=scatter, method="laplace"),
+        fits=fits,
+        estimates=estimates,
     )
     return draws(result, count)
 

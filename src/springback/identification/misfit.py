@@ -77,7 +77,7 @@ def filter_sentences(fits: Sequence[ImpactFit], tested: Sequence[ChannelMisfit])
         if chain.low_pass is None:
             found.append(
                 f"the misfit of {one.name} may be a low-pass that was not told: give sensors."
-                f'{word}.low_pass = "30 Hz +- 20 %", and low_pass_order = 2 if it is an autopilot\'s'
+                f'{word}.low_pass = "30 Hz +- 20 %", with low_pass_order = 2 of an autopilot'
             )
         elif CORNER[one.quantity] not in fits[0].problem.place:
             order = "second" if chain.order == 2 else "first"

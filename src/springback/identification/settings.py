@@ -287,6 +287,9 @@ class FitPlan(Settings):
     """Laws, or other models, that are compared by predictions of impacts left out."""
     scatter: Literal["impact", "none"] = "impact"
     """``impact``: what is fitted may differ from impact to impact; ``none``: it may not."""
+    method: Literal["laplace", "emcee"] = "laplace"
+    """Of the draws in ``posterior.parquet``: by the normal approximation at the optimum, or by
+    Monte Carlo (extra ``mcmc``), where a posterior is bent or cut off; that takes minutes."""
     starts: Annotated[int, Field(ge=1, le=64, strict=True)] = 8
     """Starts of the search, of a Sobol' sequence."""
     seed: Annotated[int, Field(ge=0, strict=True)] = 0

@@ -132,7 +132,7 @@ def pooled_field(
     return pooled_sum(weights, fits, shared, scatter=scatter, profiled=profiled)
 
 
-def pooled_vector(fits: Sequence[ImpactFit], *, scatter: bool) -> PooledPosterior:
+def pooled_posterior(fits: Sequence[ImpactFit], *, scatter: bool) -> PooledPosterior:
     """What impacts tell of all fields together, with their correlations.
 
     Standard deviations of the scatter are those of each field (`pooled_field`), and so is the
