@@ -152,6 +152,8 @@ def dataflash(rows: int = 400, rate: float = 400.0, *, force: Any = None) -> byt
         for name, (number, form, labels) in kinds.items()
     )
     data += message("PARM", 0, b"INS_ACC_ID", 1.5)
+    data += message("PARM", 0, b"INS_ACCEL_FILTER", 20.0)
+    data += message("PARM", 0, b"INS_GYRO_FILTER", 0.0)
     t = np.arange(rows) / rate
     frd, ned = BODIES["frd"], WORLDS["ned"]
     a = (

@@ -40,7 +40,18 @@ def test_inertial_data_attitudes_and_poses_are_in_flu_and_nwu(tmp_path: Path) ->
     assert told["XKF1.velocity"].quantity == VELOCITY
     assert told["RCOU"].quantity == ROTOR_COMMAND
     assert told["RCOU"].values[0].tolist() == [1500.0, 1501.0, 1502.0, 1503.0]
-    assert log.parameters == {"INS_ACC_ID": 1.5}
+    assert log.parameters == {
+        "INS_ACC_ID": 1.5, "INS_ACCEL_FILTER": 20.0, "INS_GYRO_FILTER": 0.0,
+    }  # fmt: skip
+
+
+def test_inertial_data_are_behind_the_filters_that_the_parameters_tell(tmp_path: Path) -> None:
+    """`IMU` has what the control loops get; zero switches a filter off."""
+    log = read_recording(written(tmp_path, dataflash()))
+    told = {one.name: one.chain for one in log.channels}
+    force, gyro = told["IMU.accelerometer"], told["IMU.gyro"]
+    assert (force.low_pass, force.low_pass_order) == (20.0, 2)
+    assert (gyro.low_pass, gyro.low_pass_order) == (None, 2)
 
 
 def test_ardupilots_own_reader_reads_the_same(tmp_path: Path) -> None:

@@ -29,6 +29,7 @@ time_unit = "ms"
 full_scale = "16 gn"
 average = "4 ms"
 low_pass = "218 Hz"
+low_pass_order = 2
 [[channels]]
 name = "body"
 quantity = "position"
@@ -69,6 +70,7 @@ def test_units_and_axes_are_those_of_the_mapping(tmp_path: Path) -> None:
     half = np.sqrt(0.5)  # FRD's x along ENU's east: -90 deg about NWU's z, and a roll of 180
     assert np.abs(turn.values[0]) == pytest.approx([0.0, half, half, 0.0], abs=1e-12)
     assert (imu.chain.average, imu.chain.low_pass) == (0.004, 218.0)
+    assert imu.chain.low_pass_order == 2
     assert imu.chain.full_scale == pytest.approx(156.9064)
     assert imu.clipped is not None
     assert imu.clipped[:, 0].tolist() == [False, False, True]

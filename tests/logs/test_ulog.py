@@ -80,6 +80,25 @@ def test_means_of_the_inertial_unit_are_in_flu_with_their_time_of_integration(
     assert unknown.channels[0].times[0] == 1.0
 
 
+FILTERED = "uint64_t timestamp;uint64_t timestamp_sample;float[3] xyz;"
+
+
+def test_what_the_controllers_get_is_behind_filters_of_second_order(tmp_path: Path) -> None:
+    """PX4's VehicleAcceleration and VehicleAngularVelocity have a LowPassFilter2p each."""
+    given = rows(
+        timestamp_sample=("<u8", 999_000 + 5000 * np.arange(COUNT)),
+        xyz=("<f4", np.tile([1.0, 2.0, -9.8], (COUNT, 1))),
+    )
+    names = ("vehicle_acceleration", "vehicle_angular_velocity")
+    topics = dict.fromkeys(names, (FILTERED, given))
+    corners = {"IMU_ACCEL_CUTOFF": 30.0, "IMU_GYRO_CUTOFF": 0.0}
+    log = read(tmp_path, raw_ulog(topics, corners))
+    told = {one.name: one.chain for one in log.channels}
+    force, gyro = told["vehicle_acceleration"], told["vehicle_angular_velocity"]
+    assert (force.low_pass, force.low_pass_order) == (30.0, 2)
+    assert (gyro.low_pass, gyro.low_pass_order) == (None, 2)
+
+
 FIFO = (
     "uint64_t timestamp;uint64_t timestamp_sample;uint32_t device_id;float dt;float scale;"
     "uint8_t samples;int16_t[32] x;int16_t[32] y;int16_t[32] z;uint8_t[5] _padding0;"

@@ -9,7 +9,13 @@ import numpy as np
 import scipy  # submodules are loaded on first use
 
 from springback.identification.solving.fitting import ImpactFit
-from springback.identification.solving.pooling import PooledValue, pool
+from springback.identification.solving.pooled_fields import (
+    SharedNumbers,
+    pooled_field,
+    pooled_sum,
+    shared_numbers,
+)
+from springback.identification.solving.pooling import PooledValue
 from springback.identification.unknowns import Unknown
 from springback.logs.recording import Array
 
@@ -71,32 +77,11 @@ def field_estimates(fits: Sequence[ImpactFit], *, scatter: bool) -> list[FieldEs
     known = [one for one in first.fields if one.role == "known"]
     if len(fits) == 1:
         return [_alone(unknown, fits[0]) for unknown in (*free, *known)]
-    shared = _shared_numbers(fits)
+    shared = shared_numbers(fits, scatter=scatter)
     return [
         *(_pooled(unknown, fits, shared, scatter) for unknown in free),
         *(_known(unknown, shared) for unknown in known),
     ]
-
-
-class _Shared(NamedTuple):
-    """Numbers that all impacts share, and what all of them tell of these."""
-
-    names: list[str]
-    mean: Array  # u, shape (numbers,)
-    covariance: Array
-
-
-def _shared_numbers(fits: Sequence[ImpactFit]) -> _Shared:
-    """Known fields and numbers of devices, by the priors once and all impacts' data."""
-    names = [one.name for one in fits[0].problem.unknowns if one.is_shared]
-    precision, weighted = np.eye(len(names)), np.zeros(len(names))
-    for fit in fits:
-        which = [fit.problem.place[name] for name in names]
-        theirs = np.linalg.inv(fit.covariance[np.ix_(which, which)])
-        precision += theirs - np.eye(len(names))
-        weighted += theirs @ fit.point[which]
-    covariance = np.linalg.inv(precision)
-    return _Shared(names, np.asarray(covariance @ weighted), np.asarray(covariance))
 
 
 def _alone(unknown: Unknown, fit: ImpactFit) -> FieldEstimate:
@@ -112,7 +97,7 @@ def _alone(unknown: Unknown, fit: ImpactFit) -> FieldEstimate:
     return FieldEstimate(unknown, value, *_ends(unknown, low, high), deviation, None)
 
 
-def _known(unknown: Unknown, shared: _Shared) -> FieldEstimate:
+def _known(unknown: Unknown, shared: SharedNumbers) -> FieldEstimate:
     k = shared.names.index(unknown.name)
     mean, deviation = float(shared.mean[k]), float(np.sqrt(shared.covariance[k, k]))
     reach = _HALF * deviation
@@ -122,54 +107,12 @@ def _known(unknown: Unknown, shared: _Shared) -> FieldEstimate:
 
 
 def _pooled(
-    unknown: Unknown, fits: Sequence[ImpactFit], shared: _Shared, scatter: bool
+    unknown: Unknown, fits: Sequence[ImpactFit], shared: SharedNumbers, scatter: bool
 ) -> FieldEstimate:
-    weights = np.array([float(one.name == unknown.name) for one in fits[0].problem.fields])
-    profiled = [
-        fit.deviation(unknown.name) ** 2
-        / float(fit.covariance[(k := fit.problem.place[unknown.name]), k])
-        for fit in fits
-    ]
-    together = _together(weights, fits, shared, scatter, np.array(profiled))
+    together = pooled_field(unknown.name, fits, shared, scatter=scatter).value
     deviation = (together.high - together.low) / (2.0 * _HALF)
     ends = _ends(unknown, together.low, together.high)
     return FieldEstimate(unknown, float(unknown.value(together.value)), *ends, deviation, together)
-
-
-def _together(
-    weights: Array, fits: Sequence[ImpactFit], shared: _Shared, scatter: bool, profiled: Array
-) -> PooledValue:
-    """What impacts tell of a sum of their fields' numbers u.
-
-    Args:
-        weights: Of the fields in the sum.
-        fits: Of all impacts.
-        shared: What they share.
-        scatter: True: it may differ from impact to impact.
-        profiled: Variance of each by its profile, over that by Laplace.
-    """
-    points, variances, slopes = [], [], []
-    for fit, factor in zip(fits, profiled, strict=True):
-        which = [fit.problem.place[name] for name in shared.names]
-        row = weights @ fit.covariance[: len(weights)]
-        variance = float(row[: len(weights)] @ weights)
-        # How the value follows the shared numbers, and what is left were they known.
-        slope = np.linalg.solve(fit.covariance[np.ix_(which, which)], row[which])
-        moved = float(slope @ (shared.mean - fit.point[which]))
-        points.append(float(weights @ fit.point[: len(weights)]) + moved)
-        variances.append(factor * max(variance - float(slope @ row[which]), 1e-6 * variance))
-        slopes.append(slope)
-    each, before = np.array(variances), float(weights @ weights)
-    # The prior is in every fit: it is taken out of all but one before they are pooled.
-    told = np.maximum(1.0 / each - 1.0 / before, 1e-6 / before)
-    together = pool(np.array(points) / each / told, told**-0.5, scatter=scatter)
-    shares = 1.0 / (1.0 / told + (together.scatter**2 if scatter else 0.0))
-    common = (shares / each / told / shares.sum()) @ np.array(slopes)
-    wide = _HALF * float(np.sqrt(common @ shared.covariance @ common))
-    return together._replace(
-        low=together.value - float(np.hypot(together.value - together.low, wide)),
-        high=together.value + float(np.hypot(together.high - together.value, wide)),
-    )
 
 
 class PressedForce(NamedTuple):
@@ -210,8 +153,10 @@ def depth_forces(fits: Sequence[ImpactFit], *, scatter: bool) -> list[PressedFor
             half = _HALF * float(np.sqrt(weights @ fits[0].covariance[:size, :size] @ weights))
             ends = value, value - half, value + half
         else:
-            shared = _shared_numbers(fits)
-            together = _together(weights, fits, shared, scatter, np.ones(len(fits)))
+            shared = shared_numbers(fits, scatter=scatter)
+            together = pooled_sum(
+                weights, fits, shared, scatter=scatter, profiled=np.ones(len(fits))
+            ).value
             ends = together.value, together.low, together.high
         found.append(PressedForce(surface, *(float(np.exp(rest + end)) for end in ends)))
     return found

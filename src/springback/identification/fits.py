@@ -11,16 +11,17 @@ import numpy as np
 
 from springback.errors import InputError
 from springback.identification.estimates import FieldEstimate, field_estimates
-from springback.identification.misfit import ChannelMisfit, misfits
+from springback.identification.misfit import ChannelMisfit, filter_sentences, misfits
 from springback.identification.observations.likelihood import ImpactProblem
 from springback.identification.observations.windows import ImpactWindow, impact_window
 from springback.identification.settings import FitPlan, LoggedFlight, refuse_second_vehicle
 from springback.identification.solving.fitting import ImpactFit, fit_impact
 from springback.identification.unknowns import Unknown, field_unknown
 from springback.identification.wording import force_sentences, sentences
+from springback.logs.filter_check import untold_filter
 from springback.logs.frame_check import check_frames
 from springback.logs.reading import LogOptions
-from springback.logs.recording import ARM_LENGTH, Recording
+from springback.logs.recording import ARM_LENGTH, SPECIFIC_FORCE, Recording
 from springback.logs.segments import LogImpact, find_impacts
 from springback.logs.writing.flight_recording import log_or_flight
 from springback.progress import Progress, silent, stage
@@ -137,6 +138,11 @@ def _read_flight(
         f"{names}: {one.name}: {one.sentence}" for one in check_frames(recordings)
         if not one.passed
     )  # fmt: skip
+    if plan.sensors.accelerometer.low_pass is None:
+        warnings += tuple(
+            f"{one.path}: {hint}" for one in recordings for channel in one.of(SPECIFIC_FORCE)
+            if (hint := untold_filter(channel))
+        )  # fmt: skip
     return ReadFlight(scenario, changed, impacts, tuple(refused), warnings)
 
 
@@ -250,7 +256,8 @@ def result_of(
     estimates = field_estimates(fits, scatter=plan.scatter == "impact")
     tested = [one for fit_ in fits for one in misfits(fit_)]
     forces = force_sentences(fits, scatter=plan.scatter == "impact")
-    said = [*warnings, *forces, *sentences(fits, estimates, tested)]
+    filters = filter_sentences(fits, tested)
+    said = [*warnings, *forces, *filters, *sentences(fits, estimates, tested)]
     return FitResult(
         plan, tuple(fits), tuple(estimates), tuple(tested), tuple(said), tuple(refused)
     )  # fmt: skip

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 import scipy  # submodules are loaded on first use
 
 from springback.identification.observations.channel_window import ChannelWindow
-from springback.identification.observations.likelihood import OUTLIER
+from springback.identification.observations.likelihood import CORNER, OUTLIER
 from springback.identification.solving.fitting import ImpactFit
 from springback.logs.recording import ANGULAR_VELOCITY, SPECIFIC_FORCE, Array
 
@@ -56,6 +57,35 @@ def misfits(fit: ImpactFit) -> list[ChannelMisfit]:
         found.append(_tested(impact.name, reading, "all", white, share))
         if inside.sum() >= LAGS:
             found.append(_tested(impact.name, reading, "contact", white[inside], share))
+    return found
+
+
+def filter_sentences(fits: Sequence[ImpactFit], tested: Sequence[ChannelMisfit]) -> list[str]:
+    """Filters of inertial channels that do not fit, as what may be wrong.
+
+    Args:
+        fits: Of all impacts.
+        tested: Their channels.
+    """
+    bad = {one.channel for one in tested if one.is_misfit}
+    found = list[str]()
+    for one in fits[0].problem.readings:
+        if one.name not in bad or one.quantity not in CORNER:
+            continue
+        word = "accelerometer" if one.quantity == SPECIFIC_FORCE else "gyroscope"
+        chain = fits[0].problem.chain(one)
+        if chain.low_pass is None:
+            found.append(
+                f"the misfit of {one.name} may be a low-pass that was not told: give sensors."
+                f'{word}.low_pass = "30 Hz +- 20 %", with low_pass_order = 2 of an autopilot'
+            )
+        elif CORNER[one.quantity] not in fits[0].problem.place:
+            order = "second" if chain.order == 2 else "first"
+            found.append(
+                f"the misfit of {one.name} may be its low-pass, taken for one of {order} order at "
+                f'{chain.low_pass:g} Hz exactly: "{chain.low_pass:g} Hz +- 20 %" fits the corner, '
+                f"sensors.{word}.low_pass_order is 1 or 2"
+            )
     return found
 
 

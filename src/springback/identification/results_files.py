@@ -13,8 +13,11 @@ from springback.errors import InputError
 from springback.identification.estimates import FieldEstimate
 from springback.identification.fits import FitResult
 from springback.identification.law_comparison import LawComparison
+from springback.identification.solving.pooled_fields import pooled_posterior
+from springback.identification.solving.sampling import posterior_sample
 from springback.identification.unknowns import DIRECTIONS, FARTHEST, INERTIA
 from springback.logs.recording import Array
+from springback.progress import Progress, silent, stage
 from springback.random_streams import Purpose, stream
 from springback.results.parquet import write_parquet
 from springback.scenario.source_text import source_text, toml_tables
@@ -75,7 +78,11 @@ def as_data(result: FitResult, comparison: LawComparison | None = None) -> dict[
 
 
 def write_files(
-    result: FitResult, folder: Path, comparison: LawComparison | None = None
+    result: FitResult,
+    folder: Path,
+    comparison: LawComparison | None = None,
+    *,
+    progress: Progress = silent,
 ) -> list[Path]:
     """Write the overlay, the posterior and all numbers of a fit; the paths.
 
@@ -83,10 +90,11 @@ def write_files(
         result: The fit.
         folder: For the files.
         comparison: Of laws, if the plan asks for one.
+        progress: Called from time to time with the share done.
     """
     paths = [folder / name for name in (IDENTIFIED, POSTERIOR, SUMMARY)]
     paths[0].write_text(overlay_text(result), encoding="utf-8")
-    drawn = zip(result.estimates, draws(result).T, strict=True)
+    drawn = zip(result.estimates, draws(result, progress=progress).T, strict=True)
     # Entries of lists that are known to some uncertainty are left out: campaigns do not draw them.
     kept = [
         (one.unknown, column) for one, column in drawn
@@ -94,35 +102,58 @@ def write_files(
     ]  # fmt: skip
     columns = {unknown.name: column for unknown, column in kept}
     units = {unknown.name: unknown.unit for unknown, _ in kept}
-    about = {"name": result.plan.name, "draws": f"{DRAWS} draws, of a next impact"}
+    about = {
+        "name": result.plan.name,
+        "draws": f"{DRAWS} draws, of a next impact, {result.plan.method}",
+    }
     write_parquet(paths[1], columns, units, about)
     text = json.dumps(as_data(result, comparison), indent=1, allow_nan=False)
     paths[2].write_text(text + "\n", encoding="utf-8")
     return paths
 
 
-def draws(result: FitResult, count: int = DRAWS) -> Array:
-    """Draws of all fields for a next impact [SI], shape (draws, fields).
+def draws(result: FitResult, count: int = DRAWS, *, progress: Progress = silent) -> Array:
+    """Draws of all fields for a next impact [SI], shape (draws, fields), correlations included.
 
-    One impact: the posterior by Laplace, correlations included.  Several: the values that they tell
-    together, with the scatter from impact to impact; known fields by their uncertainty.
+    One impact: the posterior by Laplace, or by Monte Carlo if the plan's method says so.  Several:
+    what they tell together of what is common and of what they share, and the scatter from impact to
+    impact; by Monte Carlo, mean and covariance of each impact are those of its draws.
+
+    Args:
+        result: The fit.
+        count: Draws.
+        progress: Called from time to time with the share done.
+
+    Raises:
+        InputError: If Monte Carlo is asked for and cannot be done.
     """
-    generator = stream(result.plan.seed, Purpose.SCATTER)
-    normal = generator.standard_normal((count, len(result.estimates)))
-    if len(result.fits) == 1:
-        fit = result.fits[0]
-        which = [fit.problem.place[one.unknown.name] for one in result.estimates]
-        part = fit.covariance[np.ix_(which, which)]
-        u = fit.point[which] + normal @ np.linalg.cholesky(part).T
+    names, fits = [one.unknown.name for one in result.estimates], list(result.fits)
+    if result.plan.method == "emcee":
+        for k, fit in enumerate(fits):
+            part = stage(progress, k / len(fits), 1.0 / len(fits))
+            seed = result.plan.seed + k
+            drawn = posterior_sample(fit, seed=seed, count=count, progress=part).draws
+            if len(fits) == 1:
+                u = drawn[:, [fit.problem.place[name] for name in names]]
+                return _values(result, u)
+            covariance = np.cov(drawn.T)
+            fits[k] = fit._replace(point=drawn.mean(axis=0), covariance=covariance, profiles={})
+    if len(fits) == 1:
+        [fit] = fits
+        which = [fit.problem.place[name] for name in names]
+        mean, covariance = fit.point[which], fit.covariance[np.ix_(which, which)]
     else:
-        columns = []
-        for one, column in zip(result.estimates, normal.T, strict=True):
-            if one.pooled is None:
-                columns.append(one.unknown.coordinate(one.value) + one.deviation * column)
-                continue
-            spread = np.hypot(one.deviation, one.pooled.scatter)
-            columns.append(one.pooled.value + spread * column)
-        u = np.stack(columns, axis=1)
+        pooled = pooled_posterior(fits, scatter=result.plan.scatter == "impact")
+        which = [pooled.names.index(name) for name in names]
+        mean = pooled.mean[which]
+        covariance = (pooled.covariance + pooled.scatter)[np.ix_(which, which)]
+    generator = stream(result.plan.seed, Purpose.SCATTER)
+    normal = generator.standard_normal((count, len(names)))
+    return _values(result, mean + normal @ np.linalg.cholesky(covariance).T)
+
+
+def _values(result: FitResult, u: Array) -> Array:
+    """Values in SI of numbers u of all fields."""
     u = np.clip(u, -FARTHEST, FARTHEST)
     values = [one.unknown.value(u[:, k]) for k, one in enumerate(result.estimates)]
     return np.stack(values, axis=1)

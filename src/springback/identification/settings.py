@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import contextlib
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, ValidationError, field_validator, model_validator
+from pydantic_core import PydanticCustomError
 
 from springback.errors import InputError, shown_value
 from springback.problems import dotted_path, key_path, problem_paths
-from springback.quantities import Duration, Unit
+from springback.quantities import Duration, Unit, si_number
 from springback.scenario.files import place_of
 from springback.scenario.overrides import apply_overrides
 from springback.scenario.source_text import source_text, toml_tables
@@ -25,6 +27,8 @@ USUALLY_KNOWN = {
     "vehicle.arms.directions": "+- 1 deg",
     "vehicle.body.inertia": "+- 5 %",
 }
+#: A number with its uncertainty, such as ``30 Hz +- 20 %``.
+_ABOUT = re.compile(r"^\s*(?P<centre>.*?)\s*(?:\+-|\+/-|±)\s*(?P<uncertainty>.+?)\s*$")
 #: The word for a field that is not uncertain.
 EXACT = "exact"
 
@@ -35,8 +39,32 @@ class InertialChannel(Settings):
     average: Duration | None = None
     """Each sample is the mean over this time before its instant."""
     low_pass: Rate | None = None
-    """Corner of a low-pass of first order, after the range: ``bandwidth`` of a scenario's
-    sensor."""
+    """Corner of a low-pass after the range: ``bandwidth`` of a scenario's sensor.  One that is told
+    as ``30 Hz +- 20 %`` is fitted with the rest, the same in every impact."""
+    low_pass_uncertainty: Annotated[float, Unit("", above=0.0)] | None = None
+    """Standard deviation of the corner, as a share of it; by default exact."""
+    low_pass_order: Literal[1, 2] | None = None
+    """1, or 2 for a Butterworth filter such as those of PX4 and ArduPilot; by default as the log
+    has it, else 1."""
+    device_low_pass: Rate | None = None
+    """Corner of the device's own low-pass of first order, before that of an autopilot; by default
+    ``bandwidth`` of the scenario's sensor where ``low_pass`` is of second order."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _corner(cls, given: Any) -> Any:
+        """The uncertainty that is written behind a corner has a key of its own."""
+        told = given.get("low_pass") if isinstance(given, Mapping) else None
+        if not isinstance(told, str) or not (parts := _ABOUT.match(told)):
+            return given
+        if "low_pass_uncertainty" in given:
+            raise problem("is given in low_pass as well", "low_pass_uncertainty")
+        share: Any = parts["uncertainty"]
+        if share.endswith("Hz"):  # what cannot be read is said of the keys themselves
+            with contextlib.suppress(PydanticCustomError):
+                ends = (si_number(one, "Hz", above=0.0) for one in (share, parts["centre"]))
+                share = next(ends) / next(ends)
+        return {**given, "low_pass": parts["centre"], "low_pass_uncertainty": share}
 
     @model_validator(mode="before")
     @classmethod
@@ -259,6 +287,9 @@ class FitPlan(Settings):
     """Laws, or other models, that are compared by predictions of impacts left out."""
     scatter: Literal["impact", "none"] = "impact"
     """``impact``: what is fitted may differ from impact to impact; ``none``: it may not."""
+    method: Literal["laplace", "emcee"] = "laplace"
+    """Of the draws in ``posterior.parquet``: by the normal approximation at the optimum, or by
+    Monte Carlo (extra ``mcmc``), where a posterior is bent or cut off; that takes minutes."""
     starts: Annotated[int, Field(ge=1, le=64, strict=True)] = 8
     """Starts of the search, of a Sobol' sequence."""
     seed: Annotated[int, Field(ge=0, strict=True)] = 0

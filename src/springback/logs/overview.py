@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.logs.clocks import timing
+from springback.logs.filter_check import untold_filter
 from springback.logs.frame_check import FrameFinding, check_frames, refuse_units
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
@@ -182,6 +183,7 @@ def missing_for_impact(recordings: Sequence[Recording]) -> list[str]:
             )
         if best.chain.low_pass is not None and best.chain.low_pass < SLOWEST_FILTER:
             found.append(f"{best.name} is behind a low-pass of {best.chain.low_pass:g} Hz")
+        found += [hint for hint in [untold_filter(best)] if hint]
         if best.clipped is None and best.chain.full_scale is None:
             found.append(f"{best.name} tells neither its range nor its clipping")
     for quantity, rate, what in (

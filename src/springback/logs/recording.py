@@ -77,6 +77,8 @@ class SensorChain:
     """Each sample is the mean over this time before its instant [s]."""
     low_pass: float | None = None
     """Corner of a low-pass filter [Hz]."""
+    low_pass_order: int | None = None
+    """1, or 2 for a Butterworth filter; None if the log does not tell."""
     estimated: bool = False
     """An estimate of the autopilot from several sensors, not a measurement."""
     smoothed: bool = False

@@ -17,12 +17,21 @@ import numpy as np
 import scipy  # submodules are loaded on first use
 
 from springback.errors import InputError
+from springback.identification.design.assumptions import (
+    ImpactPoint,
+    planned_assumptions,
+)
 from springback.identification.estimates import NOT_LEARNED
 from springback.identification.fits import base_scenario, fields_of_plan
 from springback.identification.observations.channel_window import ChannelWindow
 from springback.identification.observations.initial_state import InitialState
 from springback.identification.observations.likelihood import ImpactProblem
-from springback.identification.observations.noise import ChannelNoise, white_noise
+from springback.identification.observations.noise import (
+    ChannelNoise,
+    filtered_noise,
+    white_noise,
+)
+from springback.identification.observations.sensor_chain import ChannelChain, noise_covariances
 from springback.identification.observations.windows import FLOORS, ImpactWindow
 from springback.identification.sensitivity import (
     FieldSensitivity,
@@ -60,6 +69,8 @@ class CandidateExperiment(NamedTuple):
     information: Array  # about the fields, in u, shape (fields, fields)
     told: tuple[FieldSensitivity, ...]  # of each field; empty if it cannot be flown
     problem: str  # why it cannot be flown; empty if it can
+    likelihood: ImpactProblem | None = None
+    jacobian: Array | None = None
 
 
 class ChosenExperiment(NamedTuple):
@@ -79,6 +90,7 @@ class ExperimentPlan(NamedTuple):
     chosen: tuple[ChosenExperiment, ...]
     refused: tuple[tuple[str, str], ...]  # candidates that cannot be flown, and why
     untold: tuple[str, ...] = ()  # free fields that no candidate tells, and why
+    assumed: tuple[str, ...] = ()  # fields taken as exact, and how far each moves the result
 
     @property
     def sentence(self) -> str:
@@ -136,6 +148,7 @@ def plan_experiments(
     free = np.array([one.role == "free" for one in fields])
     usable = [one for one in found if not one.problem]
     chosen: list[ChosenExperiment] = []
+    flown = [ImpactPoint(fit.problem, fit.point, fit.jacobian) for fit in fits]
     total = known
     for _ in range(plan.candidates.count if usable else 0):
         volumes = [_volume(total + one.information, free) for one in usable]
@@ -143,6 +156,10 @@ def plan_experiments(
         gain = _volume(total, free) - min(volumes)
         total = total + best.information
         chosen.append(ChosenExperiment(best.name, _half_widths(fields, total), gain))
+        assert best.likelihood is not None
+        assert best.jacobian is not None
+        middle = np.zeros(len(best.likelihood.unknowns))
+        flown.append(ImpactPoint(best.likelihood, middle, best.jacobian))
     alone = [(one.name, _half_widths(fields, known + one.information)) for one in usable]
     return ExperimentPlan(
         tuple(one for one in fields if one.role == "free"),
@@ -151,6 +168,7 @@ def plan_experiments(
         tuple(chosen),
         tuple((one.name, one.problem) for one in found if one.problem),
         _untold(fields, usable, known, total, scenario),
+        tuple(planned_assumptions(flown, total)) if chosen else (),
     )
 
 
@@ -219,7 +237,8 @@ def _candidate(
     except InputError as error:
         return CandidateExperiment(name, np.zeros((size, size)), (), "; ".join(error.problems))
     told = tuple(field_sensitivities(problem.unknowns, slopes, size))
-    return CandidateExperiment(name, _about_fields(slopes.T @ slopes, size), told, "")
+    information = _about_fields(slopes.T @ slopes, size)
+    return CandidateExperiment(name, information, told, "", problem, slopes)
 
 
 def _about_fields(square: Array, size: int) -> Array:
@@ -270,13 +289,18 @@ def planned_window(plan: FitPlan, scenario: Scenario, name: str) -> ImpactWindow
     if "imu" in plan.candidates.sensors:
         imu = sensors.imu
         rate = scenario.clock if imu.perfect else imu.rate
-        for quantity, part, given in (
-            (SPECIFIC_FORCE, imu.accelerometer, plan.sensors.accelerometer.noise),
-            (ANGULAR_VELOCITY, imu.gyroscope, plan.sensors.gyroscope.noise),
+        for quantity, part, planned in (
+            (SPECIFIC_FORCE, imu.accelerometer, plan.sensors.accelerometer),
+            (ANGULAR_VELOCITY, imu.gyroscope, plan.sensors.gyroscope),
         ):
+            given = planned.noise
             deviation = part.noise * math.sqrt(0.5 * scenario.clock)
             share = -math.expm1(-2.0 * math.pi * part.bandwidth / scenario.clock)
             noise = _filtered_noise(deviation, share, FLOORS[quantity])
+            own = None if imu.perfect else part.bandwidth
+            chain = ChannelChain(None, planned.low_pass, None, planned.low_pass_order or 1, own)
+            if (behind := noise_covariances(chain, rate)) is not None:
+                noise = filtered_noise(max(deviation, FLOORS[quantity]), behind, 3)
             noise = noise if given is None else white_noise(given, 3)
             add(quantity, rate, noise, False, 3)
     if "motion-capture" in plan.candidates.sensors:

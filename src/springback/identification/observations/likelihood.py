@@ -56,6 +56,10 @@ SETTLED, OUTLIER = 0.02, 5.0
 _AXES = "xyz"
 #: Latents of an accelerometer's calibration.
 SCALE, TURN = "accelerometer scale", "accelerometer misalignment"
+#: Latents of the corner of a low-pass.
+CORNER = {
+    SPECIFIC_FORCE: "accelerometer low-pass", ANGULAR_VELOCITY: "gyroscope low-pass",
+}  # fmt: skip
 
 
 class ImpactProblem:
@@ -134,8 +138,32 @@ class ImpactProblem:
                     latent(f"{TURN} {a}", part.misalignment, "rad", flies=False, of_device=True)
                     for a in _AXES
                 ]
+        found += self._corners()
         if any(one.other_clock for one in self.readings):
             found.append(latent("clock offset", self.impact.clock_uncertainty, "s", flies=False))
+        return found
+
+    def _corners(self) -> list[Unknown]:
+        """Corners of low-passes that are known to some uncertainty."""
+        found = []
+        for one in self.readings:
+            if one.quantity not in CORNER:
+                continue
+            word = "accelerometer" if one.quantity == SPECIFIC_FORCE else "gyroscope"
+            part: InertialChannel = getattr(self.plan.sensors, word)
+            if (share := part.low_pass_uncertainty) is None:
+                continue
+            corner = self.chain(one).low_pass
+            if corner is None:
+                raise InputError(
+                    f"sensors.{word}.low_pass_uncertainty: needs a corner, which neither plan, log "
+                    f"nor scenario tells; give low_pass = '30 Hz +- {100.0 * share:g} %'"
+                )
+            text = f"{corner:g} Hz +- {100.0 * share:g} %"
+            found.append(Unknown(
+                CORNER[one.quantity], "latent", float(np.log(corner)), share, True, "Hz", text,
+                flies=False, of_device=True,
+            ))  # fmt: skip
         return found
 
     def _columns(self, u: Array, *names: str) -> Array:
@@ -295,7 +323,10 @@ class ImpactProblem:
         true = means.specific_force if is_force else means.angular_velocity
         bias = self._columns(u, *(f"{word} {a}" for a in _AXES))
         felt = self._calibrated(true[which], u) if is_force else true[which]
-        return channel_output(felt, bias, self.chain(one), samples.times, one.times)
+        corner, corners = CORNER[one.quantity], None
+        if corner in self.place:
+            corners = self._columns(u, corner)[:, 0]
+        return channel_output(felt, bias, self.chain(one), samples.times, one.times, corners)
 
     def _calibrated(self, true: Array, u: Array) -> Array:
         """Specific forces as an accelerometer of another scale, turned a little, has them."""
@@ -315,13 +346,18 @@ class ImpactProblem:
         low, average = given.low_pass, given.average
         full = told.full_scale if full is None else full
         low = told.low_pass if low is None else low
+        order = 1 if low is None else told.low_pass_order or 1  # a scenario's is of first order
+        order = given.low_pass_order or order
+        device = given.device_low_pass
         average = told.average if average is None else average
         imu = self.scenario.sensors.imu
         if "sensors" in self.scenario.model_fields_set and not imu.perfect:
             part = imu.accelerometer if is_force else imu.gyroscope
             full = part.full_scale if full is None else full
+            if device is None and low is not None and order == 2:  # of the autopilot, behind it
+                device = part.bandwidth
             low = part.bandwidth if low is None else low
-        return ChannelChain(full, low, average)
+        return ChannelChain(full, low, average, order, device)
 
     def resolution(self, one: ChannelWindow) -> Any:
         """Standard deviation of a count of the converter at each arm length [m]."""

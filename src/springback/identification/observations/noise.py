@@ -18,6 +18,10 @@ MEDIAN, WILD = 0.6745, 5.0
 #: Least share of the variance that is not predicted by the samples before (chosen: a tenth of the
 #: deviation; what is predicted better hangs on the rotors, which an impact disturbs).
 LEAST_SHARE = 0.01
+#: Variance of white noise that a filtered channel has of its own, over its variance (chosen: a
+#: thousandth of the deviation; with a hundredth, intervals of slider impacts behind 30 Hz are too
+#: narrow by a tenth).
+OWN = 1e-6
 #: Degrees of freedom of Student's t for motion capture, whose markers are swapped at times
 #: (chosen; field's usual for robust regression: Lange, Little and Taylor, JASA 84, 1989).
 STUDENT = 4.0
@@ -75,7 +79,23 @@ def white_noise(deviation: Any, width: int) -> ChannelNoise:
     return ChannelNoise(np.empty(0), sigma, sigma)
 
 
-def estimated_noise(times: Array, values: Array, floor: float) -> ChannelNoise:
+def filtered_noise(deviation: float, covariances: Array, width: int) -> ChannelNoise:
+    """White noise behind a filter.
+
+    Args:
+        deviation: Before it, standard, at the rate of the filter.
+        covariances: Behind it, of a deviation of 1, from lag 0 on.
+        width: Numbers of the channel.
+    """
+    phi = _behind_filter(covariances)
+    share = 1.0 - float(phi @ covariances[1:]) / float(covariances[0])
+    sigma = np.full(width, deviation * float(covariances[0]) ** 0.5)
+    return ChannelNoise(phi, sigma * max(share, OWN) ** 0.5, sigma)
+
+
+def estimated_noise(
+    times: Array, values: Array, floor: float, filtered: Array | None = None
+) -> ChannelNoise:
     """Noise about a smooth motion.
 
     A cubic polynomial is taken for the motion; the order of the autoregression is that of the least
@@ -86,6 +106,8 @@ def estimated_noise(times: Array, values: Array, floor: float) -> ChannelNoise:
         times: Before touch [s], shape (samples,).
         values: Shape (samples, width); NaN where lost.
         floor: Least standard deviation, of what the sensor resolves.
+        filtered: Autocovariances, from lag 0 on, of white noise behind the channel's low-pass, if
+            it is known: the noise is taken to be that if it explains the samples better.
     """
     known = ~np.isnan(values).any(axis=1)
     t, y = times[known], values[known]
@@ -115,10 +137,32 @@ def estimated_noise(times: Array, values: Array, floor: float) -> ChannelNoise:
         score = samples * np.log(max(share, 1e-12)) + order * np.log(samples)
         if score < least:
             best, least = (phi, share), score
+    if filtered is not None:
+        phi = _behind_filter(filtered)
+        share = _left(scaled, phi)
+        if samples * np.log(max(share, 1e-12)) < least:
+            best = phi, share
     phi, share = best
     innovation = np.maximum(sigma * np.sqrt(max(share, 1e-12)), 1e-3 * floor)
     freedom = float(free * moving.sum())
     return ChannelNoise(phi, np.where(moving, innovation, sigma), sigma, freedom)
+
+
+def _behind_filter(covariances: Array) -> Array:
+    """Coefficients of white noise behind a filter, with a little white noise of its own."""
+    r = covariances / covariances[0]
+    order = len(r) - 1
+    matrix = r[np.abs(np.subtract.outer(np.arange(order), np.arange(order)))]
+    return np.asarray(np.linalg.solve(matrix + OWN * np.eye(order), r[1:]), dtype=float)
+
+
+def _left(values: Array, phi: Array) -> float:
+    """Share of the variance that coefficients leave of values."""
+    order = len(phi)
+    rest = values[order:].copy()
+    for k, one in enumerate(phi, start=1):
+        rest -= one * values[order - k : len(values) - k]
+    return float((rest**2).mean() / (values**2).mean())
 
 
 def _yule_walker(values: Array, order: int) -> tuple[Array, float]:

@@ -1,7 +1,8 @@
 """What sensors would tell of flights whose states are known at many instants.
 
-The order is that of the devices: mean over an interval, bias, range, low-pass, mean over the
-averaging time, sample (`springback.sensing.inertial` has the same at the ticks of a flight).
+The order is that of the devices: mean over an interval, bias, range, low-pass of the device, that
+of the autopilot, mean over the averaging time, sample (`springback.sensing.inertial` has the same
+at the ticks of a flight, without an autopilot's).
 """
 
 from __future__ import annotations
@@ -17,6 +18,8 @@ from springback.logs.recording import Array
 
 #: Longest interval over which specific forces are means [s] (chosen: that of a 1 kHz device).
 FINEST = 1e-3
+#: Samples over which noise behind a filter is remembered (chosen: with 8, intervals are the same).
+LAGS = 12
 
 
 class ChannelChain(NamedTuple):
@@ -25,6 +28,10 @@ class ChannelChain(NamedTuple):
     full_scale: float | None
     low_pass: float | None
     average: float | None
+    order: int = 1
+    """Of the low-pass: 2 is a Butterworth filter."""
+    device: float | None = None
+    """Corner of the device's own low-pass before it, of first order [Hz]."""
 
 
 def fine_grid(times: Array, until: float) -> Array:
@@ -78,7 +85,12 @@ def _turned_back(q: Array, vectors: Array) -> Array:
 
 
 def channel_output(
-    true: Array, bias: Array, chain: ChannelChain, grid: Array, times: Array
+    true: Array,
+    bias: Array,
+    chain: ChannelChain,
+    grid: Array,
+    times: Array,
+    corners: Array | None = None,
 ) -> Array:
     """Samples of an accelerometer or a gyroscope.
 
@@ -88,13 +100,22 @@ def channel_output(
         chain: Of the channel.
         grid: Instants [s].
         times: Of the samples, each an instant of the grid [s].
+        corners: Of the low-pass in place of the chain's [Hz], shape (points,).
     """
     inside = true + bias[:, None, :]
     if chain.full_scale is not None:
         inside = np.clip(inside, -chain.full_scale, chain.full_scale)
     steps = np.diff(grid)
+    if chain.device is not None:
+        inside = low_passed(inside, chain.device, 1, steps)
     if chain.low_pass is not None:
-        inside = _low_passed(inside, -np.expm1(-2.0 * np.pi * chain.low_pass * steps))
+        each = np.broadcast_to(chain.low_pass if corners is None else corners, len(inside))
+        passed = np.empty_like(inside)
+        for corner in np.unique(each):
+            passed[each == corner] = low_passed(
+                inside[each == corner], float(corner), chain.order, steps
+            )
+        inside = passed
     ends = np.searchsorted(grid, times + 1e-9, "right") - 2  # interval that ends at each sample
     if chain.average is not None and chain.average > FINEST:
         area = np.concatenate(
@@ -110,7 +131,72 @@ def channel_output(
     return inside[:, np.maximum(ends, 0)]
 
 
-def _low_passed(values: Array, shares: Array) -> Array:
+def noise_covariances(chain: ChannelChain, rate: float) -> Array | None:
+    """Autocovariances of white noise of deviation 1 behind the low-passes of a channel.
+
+    Args:
+        chain: Of the channel.
+        rate: Of its samples [Hz].
+
+    Returns:
+        From lag 0 on, shape (`LAGS` + 1,); None without a filter of second order.  Noise behind one
+        of first order is autoregressive, and estimated as such.
+    """
+    if chain.low_pass is None or chain.order != 2:
+        return None
+    every = int(np.ceil(1.0 / (FINEST * rate) - 1e-6))
+    count = every * LAGS + int(np.ceil(every * rate / chain.low_pass)) * 4
+    steps = np.full(count, 1.0 / (every * rate))
+    push = np.zeros((1, count, 1))
+    push[0, 1] = 1.0  # filters are settled on the first
+    if chain.device is not None:
+        push = low_passed(push, chain.device, 1, steps)
+    answer = low_passed(push, chain.low_pass, 2, steps)[0, :, 0]
+    return np.array([
+        float(answer[: count - k * every] @ answer[k * every :]) for k in range(LAGS + 1)
+    ])  # fmt: skip
+
+
+def low_passed(values: Array, corner: float, order: int, steps: Array) -> Array:
+    """Values behind a low-pass along intervals, settled on the first.
+
+    Args:
+        values: Means over the intervals, shape (points, intervals, width).
+        corner: [Hz].
+        order: 1, or 2 for a Butterworth filter, as autopilots have it at the rate of the sensor.
+        steps: Lengths of the intervals [s].
+    """
+    if order == 2:
+        return _butterworth(values, corner, steps)
+    return _first_order(values, -np.expm1(-2.0 * np.pi * corner * steps))
+
+
+def _butterworth(values: Array, corner: float, steps: Array) -> Array:
+    """Butterworth filter of second order: bilinear on equal steps, else by its exact response."""
+    begin = values[:, 0]
+    if np.ptp(steps) < 1e-6 * steps.max():
+        rate = 1.0 / float(steps.mean())
+        if corner >= 0.5 * rate:  # beyond what its samples can have: autopilots leave it out then
+            return values
+        b, a = scipy.signal.butter(2, corner, fs=rate)
+        state = scipy.signal.lfilter_zi(b, a)[None, :, None] * begin[:, None]
+        out, _ = scipy.signal.lfilter(b, a, values, axis=1, zi=state)
+        return np.asarray(out)
+    # y'' = −2 a y' − 2 a² (y − x), x the mean of neighbours, as it is of the bilinear one.
+    a = np.sqrt(2.0) * np.pi * corner
+    decay, cosine, sine = np.exp(-a * steps), np.cos(a * steps), np.sin(a * steps)
+    smooth, place, rate_ = np.empty_like(values), begin.copy(), np.zeros_like(begin)
+    before = begin
+    for k in range(len(steps)):
+        x, before = 0.5 * (before + values[:, k]), values[:, k]
+        off = place - x
+        place = x + decay[k] * (off * (cosine[k] + sine[k]) + rate_ / a * sine[k])
+        rate_ = decay[k] * (rate_ * (cosine[k] - sine[k]) - 2.0 * a * off * sine[k])
+        smooth[:, k] = place
+    return smooth
+
+
+def _first_order(values: Array, shares: Array) -> Array:
     """First-order low-pass along the intervals, settled on the first."""
     begin = values[:, 0]
     if np.ptp(shares) < 1e-9 * shares.max():

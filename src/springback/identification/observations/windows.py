@@ -12,7 +12,14 @@ from springback.errors import InputError
 from springback.identification.observations.channel_window import ChannelWindow
 from springback.identification.observations.initial_state import InitialState, initial_state
 from springback.identification.observations.noise import estimated_noise, white_noise
-from springback.identification.settings import ClockFit, FitSensors, StartFit, WindowFit
+from springback.identification.observations.sensor_chain import ChannelChain, noise_covariances
+from springback.identification.settings import (
+    ClockFit,
+    FitSensors,
+    InertialChannel,
+    StartFit,
+    WindowFit,
+)
 from springback.logs.clocks import GAP, Offset
 from springback.logs.frame_check import bends, offset_of
 from springback.logs.frame_turns import conjugate, continuous, product, rotation_vector
@@ -265,7 +272,8 @@ def _reading(
         if quantity == ATTITUDE and len(quiet):
             known = quiet[~np.isnan(quiet).any(axis=1)]
             quiet = rotation_vector(product(conjugate(known[0]), quiet)) if len(known) else quiet
-        noise = estimated_noise(times[before], quiet, FLOORS[quantity])
+        filtered = noise_covariances(known_filter(plan.sensors, channel), channel.rate)
+        noise = estimated_noise(times[before], quiet, FLOORS[quantity], filtered)
     inside = (times >= begin - 1e-9) & (times <= end + 1e-9)
     if inside.sum() < 3:
         return None
@@ -276,6 +284,23 @@ def _reading(
     other = not (one.recording is home.recording and channel.clock == home.channel.clock)
     chain = _with_range(channel)
     return ChannelWindow(quantity, channel.name, at, values[inside], noise, starts, chain, other)
+
+
+def known_filter(sensors: FitSensors, channel: LogChannel) -> ChannelChain:
+    """Low-pass of an inertial channel as plan or log tell it; what a scenario tells is left out.
+
+    Args:
+        sensors: Of the plan.
+        channel: Of the log.
+    """
+    told = channel.chain
+    if channel.quantity not in (SPECIFIC_FORCE, ANGULAR_VELOCITY):
+        return ChannelChain(None, None, None)
+    is_force = channel.quantity == SPECIFIC_FORCE
+    given: InertialChannel = sensors.accelerometer if is_force else sensors.gyroscope
+    low = told.low_pass if given.low_pass is None else given.low_pass
+    order = given.low_pass_order or told.low_pass_order or 1
+    return ChannelChain(None, low, None, order, given.device_low_pass)
 
 
 def _by_arm(values: Array, order: tuple[int, ...]) -> Array:

@@ -133,7 +133,7 @@ def _in_time(one: ChannelWindow) -> ChannelWindow:
     """A channel at the instants that its samples are of: delays of filter and mean taken out."""
     chain, late = one.chain, 0.0
     if chain.low_pass is not None:
-        late += 1.0 / (2.0 * np.pi * chain.low_pass)
+        late += (2.0**0.5 if chain.low_pass_order == 2 else 1.0) / (2.0 * np.pi * chain.low_pass)
     if chain.average is not None:
         late += 0.5 * chain.average
     return one._replace(times=one.times - late) if late > 0.0 else one

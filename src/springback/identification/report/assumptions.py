@@ -19,6 +19,7 @@ from springback.identification.solving.fitting import ImpactFit
 from springback.identification.solving.least_squares import jacobians
 from springback.identification.unknowns import Unknown
 from springback.kernels.layout import structure
+from springback.logs.recording import Array
 from springback.scenario.fields import Path, fields_of
 from springback.scenario.overrides import with_value
 from springback.scenario.scenario import Scenario, scenario_from
@@ -62,7 +63,7 @@ def assumptions(fits: Sequence[ImpactFit]) -> list[Assumption]:
         fits: Of all impacts; shifts are means over them.
     """
     first = fits[0]
-    candidates, fixed = _candidates(first.problem)
+    candidates, fixed = assumed_fields(first.problem)
     total: dict[str, dict[str, list[float]]] = {one.name: {} for one in candidates}
     weights = dict.fromkeys(total, 0.0)
     for fit in fits if candidates else ():
@@ -71,7 +72,7 @@ def assumptions(fits: Sequence[ImpactFit]) -> list[Assumption]:
                 total[one.name].setdefault(name, []).append(shift)
                 if np.isfinite(shift):
                     weights[one.name] = max(weights[one.name], abs(shift) / fit.deviation(name))
-    found = [_untried(one) for one in fixed]
+    found = [untried_field(one) for one in fixed]
     for one in candidates:
         shifts = {name: float(np.nanmean(each)) for name, each in total[one.name].items()
                   if not np.isnan(each).all()}  # fmt: skip
@@ -117,30 +118,50 @@ def assumption_sentences(
     return said
 
 
-def _untried(one: Unknown) -> Assumption:
+def untried_field(one: Unknown) -> Assumption:
+    """A field of which another value is another law."""
     return Assumption(one.name, one.centre, one.unit, "", {}, np.inf)
 
 
 def _shifts(fit: ImpactFit, candidates: Sequence[Unknown]) -> Iterator[dict[str, float]]:
     """Shifts of the free fields of an impact for a change of each candidate."""
-    old, count = fit.problem, len(candidates)
+    old = fit.problem
+    moved = -fit.covariance @ assumed_gradients(old, fit.point, fit.jacobian, candidates)
+    free = [one.name for one in old.fields if one.role == "free"]
+    for k in range(len(candidates)):
+        yield {name: float(moved[old.place[name], k]) for name in free}
+
+
+def assumed_gradients(
+    old: ImpactProblem, at: Array, jacobian: Array, candidates: Sequence[Unknown]
+) -> Array:
+    """Jᵀ ∂r/∂a of assumed fields for the change that is tried of each, shape (unknowns, fields).
+
+    Args:
+        old: Likelihood of an impact.
+        at: Point of its unknowns.
+        jacobian: There, with the rows of the priors.
+        candidates: From `assumed_fields`.
+    """
+    count, first, width = len(candidates), old.count, len(at)
     fields = [*old.fields, *candidates]
     problem = ImpactProblem(old.plan, old.scenario, _whole(old), fields, old.impact)
     problem.readings = old.readings  # with the noise of the fit
-    at, width = old.count, len(fit.point)
-    point = np.concatenate([fit.point[:at], np.zeros(count), fit.point[at:]])
+    point = np.concatenate([at[:first], np.zeros(count), at[first:]])
     active = np.zeros(len(point), dtype=bool)
-    active[at : at + count] = True
+    active[first : first + count] = True
     _, [slopes] = jacobians(problem, point[None], active)
     rows = len(slopes) - len(point)  # without those of the priors
-    moved = -fit.covariance @ fit.jacobian[: len(fit.jacobian) - width].T @ slopes[:rows]
-    free = [one.name for one in old.fields if one.role == "free"]
-    for k in range(count):
-        yield {name: float(moved[old.place[name], at + k]) for name in free}
+    told = jacobian[: len(jacobian) - width].T @ slopes[:rows, first : first + count]
+    return np.asarray(told, dtype=float)
 
 
-def _candidates(problem: ImpactProblem) -> tuple[list[Unknown], list[Unknown]]:
-    """Fields that can be tried, and those of which another value is another law."""
+def assumed_fields(problem: ImpactProblem) -> tuple[list[Unknown], list[Unknown]]:
+    """Fields that can be tried, and those of which another value is another law.
+
+    Args:
+        problem: Likelihood of an impact.
+    """
     scenario, taken = problem.scenario, {one.path for one in problem.fields}
     whole = _whole(problem)
     base = _form(whole)

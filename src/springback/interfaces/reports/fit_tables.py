@@ -11,6 +11,7 @@ from springback.identification.estimates import FieldEstimate
 from springback.identification.fits import FitResult
 from springback.identification.law_comparison import LawComparison
 from springback.identification.misfit import ChannelMisfit
+from springback.identification.observations.sensor_chain import ChannelChain
 from springback.identification.report.assumptions import MATTERS, Assumption
 from springback.identification.solving.fitting import ImpactFit
 from springback.identification.unknowns import Unknown
@@ -271,10 +272,16 @@ def channel_rows(fit: ImpactFit) -> Rows:
         rows.append([
             one.name, len(one.times), f"{rate:.0f} Hz", low if low == high else f"{low} to {high}",
             f"over {order} sample{'s' if order > 1 else ''}" if order else "no",
-            _of(chain and chain.full_scale, unit), _of(chain and chain.low_pass, "Hz"),
+            _of(chain and chain.full_scale, unit), _low_pass(chain),
             _of(chain and chain.average, "s"),
         ])  # fmt: skip
     return rows
+
+
+def _low_pass(chain: ChannelChain | None) -> str:
+    if chain is None or chain.low_pass is None:
+        return _of(None, "Hz")
+    return f"{_of(chain.low_pass, 'Hz')}, {'second' if chain.order == 2 else 'first'} order"
 
 
 def _of(value: float | None, unit: str) -> str:
@@ -288,6 +295,8 @@ def latent_rows(fit: ImpactFit) -> Rows:
         if unknown.role == "latent":
             before, after = unknown.deviation, unknown.deviation * fit.deviation(unknown.name)
             value = float(unknown.value(u))
+            if unknown.logarithmic:
+                before, after = value * before, value * after
             texts = (value_text(x, unknown.unit) for x in (value, before, after))
             rows.append([unknown.name, *texts])
     return rows

@@ -231,7 +231,10 @@ def _filtered(quantity: str, corner: str) -> Maker:
 
     def read(where: str, table: TopicTable) -> list[LogChannel]:
         values = vectors_in(FRD, table.column("xyz"))
-        chain = SensorChain(low_pass=table.setting(corner), note=f"behind {corner}")
+        # A Butterworth filter of second order in either module (LowPassFilter2p).
+        chain = SensorChain(
+            low_pass=table.setting(corner), low_pass_order=2, note=f"behind {corner}"
+        )
         return [log_channel(where, table.name, quantity, _sample_times(table), values, chain=chain)]
 
     return read

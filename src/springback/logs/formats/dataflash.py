@@ -184,6 +184,13 @@ class _BinParser:
         rows.data.extend([float(values[name]) * factors[name] for name in wanted])
 
 
+def _filtered(parser: _BinParser, corner: str) -> SensorChain:
+    """Chain of `IMU`, behind a Butterworth filter of second order; zero switches it off."""
+    given = parser.parameters.get(corner)
+    low_pass = float(given) if isinstance(given, float) and given > 0.0 else None
+    return SensorChain(low_pass=low_pass, low_pass_order=2, note=f"behind {corner}")
+
+
 def _channels(where: str, parser: _BinParser) -> list[LogChannel]:
     frd, ned = BODIES["frd"], WORLDS["ned"]
     found: list[LogChannel] = []
@@ -200,10 +207,10 @@ def _channels(where: str, parser: _BinParser) -> list[LogChannel]:
             full = f"{label}.{what}" if what else label
             found.append(log_channel(where, full, quantity, at, numbers, chain=chain))
 
-        raw = SensorChain()
         if name == "IMU":
-            add("gyro", ANGULAR_VELOCITY, vectors_in(frd, values[:, :3]), raw)
-            add("accelerometer", SPECIFIC_FORCE, vectors_in(frd, values[:, 3:]), raw)
+            turn, force = (_filtered(parser, f"INS_{one}_FILTER") for one in ("GYRO", "ACCEL"))
+            add("gyro", ANGULAR_VELOCITY, vectors_in(frd, values[:, :3]), turn)
+            add("accelerometer", SPECIFIC_FORCE, vectors_in(frd, values[:, 3:]), force)
         elif name in ("ACC", "GYR"):
             kind = SPECIFIC_FORCE if name == "ACC" else ANGULAR_VELOCITY
             note = SensorChain(note="every sample that the driver gave")
@@ -225,7 +232,7 @@ def _channels(where: str, parser: _BinParser) -> list[LogChannel]:
         elif name == "RCOU":
             add("", ROTOR_COMMAND, values, SensorChain(note="pulses to the motors [us]"))
         elif name == "ESC":
-            add("", ROTOR_SPEED, values * (2.0 * math.pi / 60.0), raw)
+            add("", ROTOR_SPEED, values * (2.0 * math.pi / 60.0), SensorChain())
     return found
 
 

@@ -77,6 +77,8 @@ class MappedChannel(Settings):
     """Time over which each sample is the mean."""
     low_pass: Annotated[float, Unit("Hz", above=0.0)] | None = None
     """Corner of a low-pass filter."""
+    low_pass_order: Literal[1, 2] | None = None
+    """Its order: 2 is a Butterworth filter, as PX4 and ArduPilot have it; by default 1."""
 
     @field_validator("quantity")
     @classmethod
@@ -122,7 +124,7 @@ class MappedChannel(Settings):
             most = read_number(most, self.si_unit)
         return SensorChain(
             full_scale=most, average=self.average, low_pass=self.low_pass,
-            estimated=self.estimated, smoothed=self.smoothed,
+            low_pass_order=self.low_pass_order, estimated=self.estimated, smoothed=self.smoothed,
         )  # fmt: skip
 
 

@@ -91,5 +91,7 @@ def _entry(channel: LogChannel, time: str, names: list[str]) -> str:
         lines.append(f"average = {chain.average!r}")
     if chain.low_pass is not None:
         lines.append(f"low_pass = {chain.low_pass!r}")
+    if chain.low_pass is not None and chain.low_pass_order is not None:
+        lines.append(f"low_pass_order = {chain.low_pass_order}")
     lines += [f"{word} = true" for word in ("estimated", "smoothed") if getattr(chain, word)]
     return "\n".join([*lines, ""])

@@ -58,7 +58,9 @@ def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
             result = carry_out(ready, plan.parent, progress=progress)
         with output.progress_bar("comparing laws") as progress:
             compared = compare_laws(result, progress=progress)
-        written, data = write_files(result, folder, compared), as_data(result, compared)
+        with output.progress_bar("drawing the posterior") as progress:
+            written = write_files(result, folder, compared, progress=progress)
+        data = as_data(result, compared)
         text = fit_text(result, compared, assumptions(result.fits))
         if output.wants_figures():
             from springback.identification.design.experiments import plan_experiments
@@ -210,4 +212,7 @@ def experiments_text(found: ExperimentPlan) -> str:
         aligned = (f"{cell:>{size}}" for cell, size in zip(cells, sizes[1:], strict=True))
         lines.append("  ".join([f"{name:{sizes[0]}}", *aligned]))
     lines += [f"cannot be flown: {name}: {why}" for name, why in found.refused]
+    if found.assumed:
+        lines += ["", "assumed exactly, of all chosen tests together:"]
+        lines += [f"  {text}" for text in found.assumed]
     return "\n".join(lines)
