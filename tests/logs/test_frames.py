@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from builders.recordings import inertial, poses, recording
+from builders.recordings import inertial, poses, recording, whole
 from springback.errors import InputError
 from springback.logs.frame_check import check_frames, refuse_units
 from springback.logs.frame_turns import (
@@ -169,6 +169,25 @@ def test_a_position_in_another_unit_is_refused(factor: float, said: str) -> None
     if factor > 1.0:
         with pytest.raises(InputError, match="probably mm"):
             refuse_units(recording(wrong))
+
+
+@pytest.mark.parametrize(
+    ("factor", "known", "said"),
+    [
+        (1e3, None, "no arm is longer than 3 m: its unit is probably mm"),
+        (100.0, None, "no arm is longer than 3 m: its unit is probably cm"),
+        (1e3, 0.19, "the scenario's longest arm is 0.19 m: its unit is probably mm"),
+        (10.0, 0.19, "the scenario's longest arm is 0.19 m: its unit is probably cm"),
+        (1e-3, 0.19, "the numbers are probably metres already"),
+    ],
+)
+def test_lengths_that_no_arm_has_are_refused(factor: float, known: float | None, said: str) -> None:
+    log = whole()
+    arms = log.channels[4]
+    with pytest.raises(InputError, match=rf"^made: arm lengths: lengths are .*{re.escape(said)}$"):
+        refuse_units(recording(replace(arms, values=factor * arms.values)), known)
+    refuse_units(log, known)
+    refuse_units(recording(replace(arms, values=arms.values - 0.2)), known)  # compressions
 
 
 @pytest.mark.parametrize(("factor", "said"), [(180.0 / np.pi, "deg/s"), (1e3, "mrad/s")])

@@ -18,7 +18,7 @@ from springback.identification.settings import FitPlan, LoggedFlight, refuse_sec
 from springback.identification.solving.fitting import ImpactFit, fit_impact
 from springback.identification.unknowns import Unknown, field_unknown
 from springback.identification.wording import force_sentences, sentences
-from springback.logs.frame_check import check_frames
+from springback.logs.frame_check import check_frames, refuse_units
 from springback.logs.reading import LogOptions
 from springback.logs.recording import ARM_LENGTH, Recording
 from springback.logs.segments import LogImpact, find_impacts
@@ -117,6 +117,8 @@ def _read_flight(
     changed = apply_overrides(tables, given.change)
     scenario = read_scenario(folder / plan.scenario, given.change)
     recordings = [_recording(folder / name, given) for name in given.logs]
+    for log in recordings:
+        refuse_units(log, max(scenario.start_state().arm_length, default=None))
     names = ", ".join(str(one.path) for one in recordings)
     found = find_impacts(recordings, drops=plan.experiment == "drop")
     wanted, refused = list[LogImpact](), list[str]()

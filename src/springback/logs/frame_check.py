@@ -23,6 +23,7 @@ from springback.logs.clocks import (
 from springback.logs.frame_turns import axis_turns, turn_words, world_vectors
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
+    ARM_LENGTH,
     ATTITUDE,
     POSITION,
     SPECIFIC_FORCE,
@@ -51,8 +52,9 @@ STILL_RATE, STILL_ACCELERATION = 0.05, 0.5
 AGREED, BETTER = 0.9, 0.02
 #: Half the time over which the bend of a track is taken [s] (chosen).
 BEND = 0.06
-#: Fastest that a vehicle flies [m/s] (chosen).
-FASTEST = 100.0
+#: Fastest that a vehicle flies [m/s], longest arm [m], and the same as a multiple of a known
+#: vehicle's longest at rest (chosen: arms that swing open do not reach it).
+FASTEST, LONGEST_ARM, TIMES_AS_LONG = 100.0, 3.0, 3.0
 
 
 class FrameFinding(NamedTuple):
@@ -63,8 +65,12 @@ class FrameFinding(NamedTuple):
     sentence: str
 
 
-def refuse_units(recording: Recording) -> None:
+def refuse_units(recording: Recording, arm_length: float | None = None) -> None:
     """Refuse channels whose unit is plainly another one.
+
+    Args:
+        recording: A log.
+        arm_length: The vehicle's longest arm at rest [m], if the vehicle is known.
 
     Raises:
         InputError: In one line for each.
@@ -92,8 +98,33 @@ def refuse_units(recording: Recording) -> None:
                 f"{recording.path}: {channel.name}: |q| is {length:.4g} at the median, not 1: "
                 "these are no quaternions"
             )
+    for channel in recording.of(ARM_LENGTH):
+        if said := _length_problem(channel, arm_length):
+            problems.append(f"{recording.path}: {channel.name}: {said}")
     if problems:
         raise InputError(*problems)
+
+
+def _length_problem(channel: LogChannel, known: float | None) -> str:
+    """Why values cannot be lengths of arms, nor changes of them; empty if they can."""
+    usual = np.nanmedian(np.abs(channel.values), axis=0)
+    longest, shortest = float(np.nanmax(usual)), float(np.nanmin(usual))
+    if known is None:
+        if longest <= LONGEST_ARM:
+            return ""
+        than = f"no arm is longer than {LONGEST_ARM:g} m"
+    else:
+        than = f"the scenario's longest arm is {known:.4g} m"
+        if longest <= TIMES_AS_LONG * known:
+            is_less = known / UNIT_WIDTH < 1e3 * shortest and 1e3 * longest < known * UNIT_WIDTH
+            return (
+                f"lengths are {longest:.4g} m at the median, and {than}: the numbers are probably "
+                "metres already" if is_less else ""
+            )  # fmt: skip
+    units = {"mm": 1e-3, "cm": 1e-2, "um": 1e-6}
+    aim = 0.2 if known is None else known
+    unit = min(units, key=lambda name: abs(np.log(longest * units[name] / aim)))
+    return f"lengths are {longest:.4g} m at the median, and {than}: its unit is probably {unit}"
 
 
 def _usual_speed(channel: LogChannel) -> float:
