@@ -128,9 +128,13 @@ def _read_flight(
             known = ", ".join(f"{one.touch:.3f} s" for one in found) or "none"
             refused.append(f"{names}: has no impact at {time:g} s; found: {known}")
         wanted += near
+    reasons = dict[str, list[str]]()
     for one in wanted if given.at else found:
         if one.refused:
-            refused.append(f"{names}: impact at {one.touch:.3f} s: {one.refused}")
+            reasons.setdefault(one.refused, []).append(f"{one.touch:.3f} s")
+    for why, times in reasons.items():
+        many = "impacts" if len(times) > 1 else "impact"
+        refused.append(f"{names}: {many} at {', '.join(times)}: {why}")
     if not found:
         refused.append(f"{names}: no impact was found; springback identify inspect tells more")
     used = [one for one in (wanted if given.at else found) if not one.refused]

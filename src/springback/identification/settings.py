@@ -140,6 +140,10 @@ class StartFit(Settings):
     """Standard deviation of each component of a small rotation vector (chosen)."""
     angular_velocity: Annotated[float, Unit("rad/s", above=0.0)] = 0.5
     """Standard deviation of each axis (chosen)."""
+    height: Annotated[float, Unit("m", above=0.0)] = 0.01
+    """Standard deviation of the height of a drop, where no track tells the fall (chosen): the
+    height itself is that of the scenario's start, and the others are then not three times as
+    much."""
 
 
 class WindowFit(Settings):

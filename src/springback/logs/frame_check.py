@@ -21,6 +21,12 @@ from springback.logs.clocks import (
     clock_offset,
 )
 from springback.logs.frame_turns import axis_turns, turn_words, world_vectors
+from springback.logs.free_fall import (
+    GRAVITY,
+    falling_samples,
+    falls_freely,
+    has_steady_size,
+)
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
     ARM_LENGTH,
@@ -33,8 +39,6 @@ from springback.logs.recording import (
     Recording,
 )
 
-#: Standard gravity [m/s²].
-GRAVITY = 9.80665
 #: Errors above which a finding says so (chosen): of a quaternion's length, of the magnitude of
 #: gravity as a share, at rest and over a whole flight, of its direction [rad].
 UNIT_ERROR, GRAVITY_ERROR, MEDIAN_ERROR, TILT = 1e-3, 0.05, 0.2, np.radians(10.0)
@@ -77,6 +81,8 @@ def refuse_units(recording: Recording, arm_length: float | None = None) -> None:
     """
     problems = []
     for channel in recording.of(SPECIFIC_FORCE):
+        if not has_steady_size(channel.values):
+            continue
         middle = float(np.nanmedian(np.linalg.norm(channel.values, axis=1)))
         for ratio, unit in UNITS:
             if 1.0 / UNIT_WIDTH < middle / GRAVITY / ratio < UNIT_WIDTH:
@@ -207,8 +213,13 @@ def quiet_samples(channel: LogChannel) -> Flags:
 
 def _resting(channel: LogChannel) -> FrameFinding:
     """Median specific force at rest, else of the whole flight: it is along +z."""
-    quiet = quiet_samples(channel)
+    quiet, falls = quiet_samples(channel), falls_freely(channel.values)
+    if falls:
+        quiet &= ~falling_samples(channel.values)
     at_rest = bool(quiet.any())
+    if falls and not at_rest:
+        text = "falls freely, and rests nowhere: gravity cannot be compared"
+        return FrameFinding(channel.name, True, text)
     mean = np.nanmedian(channel.values[quiet] if at_rest else channel.values, axis=0)
     size = float(np.linalg.norm(mean))
     error = size / GRAVITY - 1.0

@@ -20,7 +20,7 @@ from springback.logs.recording import (
     LogChannel,
     Recording,
 )
-from springback.logs.segments import CONTACT, NEEDED, LogImpact, find_impacts
+from springback.logs.segments import CONTACT, NEEDED, LogImpact, find_impacts, has_drops
 
 #: TurnRates that are wanted [Hz] (chosen): of poses, rates of turn and rotors.
 POSE_RATE, GYRO_RATE, ROTOR_RATE = 100.0, 100.0, 50.0
@@ -254,10 +254,15 @@ def verdict(recordings: Sequence[Recording], impacts: Sequence[LogImpact]) -> st
         more = len(impacts) - len(usable)
         also = f", and {more} that {'are' if more > 1 else 'is'} refused" if more else ""
         return f"{len(usable)} impact{'s' if len(usable) > 1 else ''}{also}"
+    drop = ""
+    if has_drops(impacts, recordings):
+        drop = '; if this is a drop test, experiment = "drop" in a plan takes it'
     if impacts:
         why = impacts[0].refused
         many = f"{len(impacts)} impacts, all refused" if len(impacts) > 1 else "one impact, refused"
-        return f"{many}: {why}"
+        return f"{many}: {why}{drop}"
+    if drop:
+        return f"no impact from the side, but from above{drop}"
     if blind := blind_spots(recordings):
         return f"no impact, and this log could not have shown one: {'; '.join(blind)}"
     return "no impact"

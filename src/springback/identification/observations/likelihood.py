@@ -104,18 +104,26 @@ class ImpactProblem:
 
     def _latents(self) -> list[Unknown]:
         plan, found = self.plan, list[Unknown]()
-        wide = 1.0 if self.impact.start.tracked else UNTRACKED
-        s = plan.start
+        start, s = self.impact.start, plan.start
+        wide = 1.0 if start.tracked or start.fallen else UNTRACKED
+        fall = self.scenario.world.gravity * s.height / start.fallen if start.fallen else 0.0
         if self.slider is None:
             for name, uncertainty, unit in (
                 ("position", s.position, "m"), ("velocity", s.velocity, "m/s"),
                 ("attitude", s.attitude, "rad"), ("angular velocity", s.angular_velocity, "rad/s"),
             ):  # fmt: skip
-                found += [latent(f"start {name} {a}", wide * uncertainty, unit) for a in _AXES]
+                found += [
+                    latent(
+                        f"start {name} {a}",
+                        fall if fall and (name, a) == ("velocity", "z") else wide * uncertainty,
+                        unit,
+                    )
+                    for a in _AXES
+                ]
             found.append(latent("thrust factor", plan.thrust, "", centre=1.0))
         else:
             found.append(latent("start position", wide * s.position, "m"))
-            found.append(latent("start velocity", wide * s.velocity, "m/s"))
+            found.append(latent("start velocity", fall or wide * s.velocity, "m/s"))
         names = {one.quantity: one for one in self.readings}
         sensors = plan.sensors
         for quantity, uncertainty, word, unit in (

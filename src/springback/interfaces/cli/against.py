@@ -77,13 +77,17 @@ def against_text(told: ReplayTable) -> str:
 
     impact = told.flown.impact
     lines = [f"against {impact.log} at {impact.touch:.3f} s: {verdict(told.rows)}", ""]
-    lines += [*_instant_table(told.rows), "", *_read_off_table(told.rows)]
+    instants = _instant_table(told.rows)
+    lines += [*instants, ""] if instants else []
+    lines += _read_off_table(told.rows)
     return "\n".join([*lines, "", *told.flown.told])
 
 
 def _instant_table(rows: Sequence[ErrorRow]) -> list[str]:
-    """Errors at the instants, one line for each quantity."""
+    """Errors at the instants, one line for each quantity; nothing without one."""
     whole = [row for row in rows if row.part == "all" and row.wanted is not None]
+    if not whole:
+        return []
     instants = sorted({row.wanted for row in whole if row.wanted is not None})
     heads = ["at touch" if at == 0.0 else f"{1e3 * at:.0f} ms" for at in instants]
     table = [["error (uncertainty)", *heads]]
