@@ -72,6 +72,7 @@ def sentences(
     """Warnings and reasons, most important first."""
     return [
         *_misfit_sentences(tested),
+        *(text for fit in fits for text in fit.bounds),
         *_search_sentences(fits),
         *_far_from_priors(estimates),
         *(text for one in estimates if one.unknown.role == "free"

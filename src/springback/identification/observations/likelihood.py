@@ -325,7 +325,7 @@ class ImpactProblem:
         low = told.low_pass if low is None else low
         average = told.average if average is None else average
         imu = self.scenario.sensors.imu
-        if "sensors" in self.scenario.model_fields_set and not imu.perfect:
+        if has_sensors(self.scenario) and not imu.perfect:
             part = imu.accelerometer if is_force else imu.gyroscope
             full = part.full_scale if full is None else full
             low = part.bandwidth if low is None else low
@@ -334,7 +334,7 @@ class ImpactProblem:
     def resolution(self, one: ChannelWindow) -> Any:
         """Standard deviation of a count of the converter at each arm length [m]."""
         s = self.scenario
-        if "sensors" not in s.model_fields_set or s.sensors.hall.perfect:
+        if not has_sensors(s) or s.sensors.hall.perfect:
             return 0.0
         device = s.sensors.devices(1.0 / s.clock, s.vehicle).arm_length
         assert isinstance(device, HallSensors)
@@ -346,6 +346,12 @@ class ImpactProblem:
     def farthest(self) -> float:
         """Bound of every number."""
         return FARTHEST
+
+
+def has_sensors(scenario: Scenario) -> bool:
+    """True if a scenario's flights have sensors: those it gives, or the usual ones of a pilot."""
+    given = scenario.reference is not None or scenario.pilot is not None
+    return given or "sensors" in scenario.model_fields_set
 
 
 def open_loop(tables: Mapping[str, Any], impact: ImpactWindow) -> dict[str, Any]:
