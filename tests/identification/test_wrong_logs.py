@@ -22,12 +22,6 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
-def edit(path: Path, old: str, new: str) -> None:
-    text = path.read_text()
-    assert old in text
-    path.write_text(text.replace(old, new))
-
-
 def test_arm_lengths_a_thousand_times_too_long_are_refused_by_fit_and_replay(folder: Path) -> None:
     table = (folder / "impact_log.csv").read_text().splitlines()
     names = table[0].split(",")
@@ -45,3 +39,14 @@ def test_arm_lengths_a_thousand_times_too_long_are_refused_by_fit_and_replay(fol
     recordings = [read_recording(folder / "impact_log.toml")]
     with pytest.raises(InputError, match=said):
         replay(*scenario_tables(folder / "arq_wall.toml"), recordings)
+
+
+def test_a_plan_names_the_vehicle_among_bodies(folder: Path) -> None:
+    text = (folder / "fit.toml").read_text().replace("[free]", 'track = "vehicel"\n[free]')
+    (folder / "fit.toml").write_text(text)
+    plan = read_fit_plan(folder / "fit.toml")
+    assert plan.flights[0].track == "vehicel"
+    with pytest.raises(InputError, match="have no body 'vehicel'; did you mean vehicle"):
+        read_flights(plan, folder)
+    right = read_fit_plan(folder / "fit.toml", ["track=vehicle"])
+    assert read_flights(right, folder)[0].impacts

@@ -22,6 +22,7 @@ from springback.logs.frame_check import check_frames, refuse_units
 from springback.logs.reading import LogOptions
 from springback.logs.recording import ARM_LENGTH, Recording
 from springback.logs.segments import LogImpact, find_impacts
+from springback.logs.vehicle_track import with_vehicle
 from springback.logs.writing.flight_recording import log_or_flight
 from springback.progress import Progress, silent, stage
 from springback.scenario.code_files import with_absolute_names
@@ -116,7 +117,9 @@ def _read_flight(
 ) -> ReadFlight:
     changed = apply_overrides(tables, given.change)
     scenario = read_scenario(folder / plan.scenario, given.change)
-    recordings = [_recording(folder / name, given) for name in given.logs]
+    recordings = with_vehicle(
+        [_recording(folder / name, given) for name in given.logs], given.track
+    )
     for log in recordings:
         refuse_units(log, max(scenario.start_state().arm_length, default=None))
     names = ", ".join(str(one.path) for one in recordings)

@@ -164,6 +164,9 @@ class LoggedFlight(Settings):
     """World axes of poses: nwu, enu, ned, z-up, y-up."""
     body: str | None = None
     """Body axes of poses: flu, frd, rfu, y-up."""
+    track: str | None = None
+    """Name of the vehicle among the bodies of a motion capture; by default the one that turns as
+    the gyroscope says."""
     first: Annotated[float, Unit("s")] | None = None
     """First instant that is read."""
     last: Annotated[float, Unit("s")] | None = None
@@ -275,8 +278,9 @@ class FitPlan(Settings):
         if isinstance(given, Mapping) and "logs" in given:
             if "flights" in given:
                 raise problem("cannot be combined with [[flights]]", "logs")
-            rest = {key: value for key, value in given.items() if key != "logs"}
-            return {**rest, "flights": [{"logs": given["logs"]}]}
+            alone = {key: given[key] for key in ("logs", "track") if key in given}
+            rest = {key: value for key, value in given.items() if key not in alone}
+            return {**rest, "flights": [alone]}
         return given
 
     @model_validator(mode="after")

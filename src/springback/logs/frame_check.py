@@ -173,7 +173,10 @@ def _best(recordings: Sequence[Recording], quantity: str) -> Home | None:
 
 
 def _attitudes(recordings: Sequence[Recording]) -> list[Home]:
-    return [(one, channel) for one in recordings for channel in one.of(ATTITUDE)]
+    return [
+        (one, channel) for one in recordings for channel in one.of(ATTITUDE)
+        if channel.name not in one.others
+    ]  # fmt: skip
 
 
 def _beside(home: Recording, attitude: LogChannel) -> LogChannel | None:

@@ -138,6 +138,8 @@ class Recording:
     """Settings of the autopilot or of the motion capture, as they are in the log."""
     remarks: tuple[str, ...] = ()
     """What the reader saw and did, a sentence each."""
+    others: tuple[str, ...] = ()
+    """Channels of bodies that are not the vehicle."""
 
     def within(self, part: TimeSpan) -> Recording:
         """The recording in a part of the time.
@@ -158,9 +160,11 @@ class Recording:
         return replace(self, channels=tuple(found))
 
     def of(self, quantity: str) -> list[LogChannel]:
-        """Channels of a quantity, measured ones first, then the fastest."""
+        """Channels of a quantity: measured ones first, the vehicle's, then the fastest."""
         found = [one for one in self.channels if one.quantity == quantity]
-        return sorted(found, key=lambda one: (one.chain.estimated, -one.rate))
+        return sorted(
+            found, key=lambda one: (one.chain.estimated, one.name in self.others, -one.rate)
+        )
 
     def best(self, quantity: str) -> LogChannel | None:
         """The fastest measured channel of a quantity, else the fastest estimate; None if none."""

@@ -120,7 +120,9 @@ def find_impacts(recordings: Sequence[Recording], *, drops: bool = False) -> lis
         candidates += _by_force(sources)
     for _, channel in sources.arms:
         candidates += _by_arms(channel)
-    for _, channel, offset in sources.tracks:
+    for log, channel, offset in sources.tracks:
+        if channel.name in log.others:
+            continue
         candidates += _by_track(channel, offset, drops)
     merged = _merged_drops(candidates) if drops else _merged(candidates)
     found = [_described(one, names, sources, recordings) for one, names in merged]
@@ -185,7 +187,8 @@ def _sources(recordings: Sequence[Recording]) -> _Sources:
                     continue
                 offset = told.seconds
             offsets.setdefault((id(one), channel.clock), offset)
-            attitudes.append((not channel.chain.estimated, channel, offset))
+            if channel.name not in one.others:
+                attitudes.append((not channel.chain.estimated, channel, offset))
     attitudes.sort(key=lambda entry: -entry[0])
     if best is not None:
         offsets.setdefault((id(best[0]), best[1].clock), 0.0)
@@ -195,6 +198,7 @@ def _sources(recordings: Sequence[Recording]) -> _Sources:
         if not channel.chain.estimated and channel.rate > SLOWEST_TRACK
         and (best is None or (id(one), channel.clock) in offsets)
     ]  # fmt: skip
+    tracks.sort(key=lambda entry: entry[1].name in entry[0].others)
     arms = [
         (one, channel) for one in recordings for channel in one.of(ARM_LENGTH)
         if best is None or (id(one), channel.clock) in offsets

@@ -41,7 +41,7 @@ def replay_against(
         scenario: Its file.
         overrides: Of the scenario.
         logs: Of one flight.
-        reading: Fields of `springback.logs.reading.LogOptions`.
+        reading: Fields of `springback.logs.reading.LogOptions`, and the vehicle's ``track``.
         wanted: Fields of `springback.identification.replays.replay.ReplayOptions`.
 
     Raises:
@@ -50,9 +50,13 @@ def replay_against(
     from springback.identification.replays.errors import channel_errors, error_rows
     from springback.identification.replays.replay import ReplayOptions, replay, scenario_tables
     from springback.interfaces.cli.identify.logs import recordings_of
+    from springback.logs.vehicle_track import with_vehicle
 
+    reading = dict(reading)
     ready, tables = scenario_tables(scenario, overrides)
-    flown = replay(ready, tables, recordings_of(logs, **reading), ReplayOptions(**wanted))
+    track = reading.pop("track", None)
+    recordings = with_vehicle(recordings_of(logs, **reading), track)
+    flown = replay(ready, tables, recordings, ReplayOptions(**wanted))
     channels = channel_errors(flown)
     return ReplayTable(flown, channels, error_rows(flown, channels))
 

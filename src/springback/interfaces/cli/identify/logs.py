@@ -47,6 +47,13 @@ def log_options(command: Callable[..., None]) -> Callable[..., None]:
     return command
 
 
+track_option = click.option(
+    "--track", metavar="NAME",
+    help="The vehicle, of several bodies of a motion capture; by default the one that turns as the "
+    "gyroscope says.",
+)  # fmt: skip
+
+
 def recordings_of(logs: Sequence[Path], **given: Any) -> list[Recording]:
     """Recordings of logs, or of results of simulated flights.
 
@@ -67,10 +74,11 @@ def recordings_of(logs: Sequence[Path], **given: Any) -> list[Recording]:
 @identify.command()
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...", type=PATH)
 @log_options
+@track_option
 @terminal_options("as_json", "quiet")
 def inspect(
     logs: tuple[Path, ...], first: float | None, last: float | None, world: str | None,
-    body: str | None, terminal: Terminal,
+    body: str | None, track: str | None, terminal: Terminal,
 ) -> None:  # fmt: skip
     """Show what is in logs, and what is missing for an impact.
 
@@ -85,10 +93,16 @@ def inspect(
     """
     from springback.logs.axes_options import axes_options
     from springback.logs.overview import as_data, overview
+    from springback.logs.vehicle_track import chosen_track
 
-    recordings = recordings_of(logs, first=first, last=last, world=world, body=body)
+    chosen = chosen_track(
+        recordings_of(logs, first=first, last=last, world=world, body=body), track
+    )
+    recordings = chosen.recordings
     with terminal.spinner("comparing the channels"):
         found = overview(recordings)
+        said = [text for text in (chosen.problem, chosen.sentence) if text]
+        found = found._replace(remarks=(*said, *found.remarks))
         options = axes_options(recordings, world, body)
     text = _overview_text(found)
     if options:
@@ -99,10 +113,11 @@ def inspect(
 @identify.command()
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...", type=PATH)
 @log_options
+@track_option
 @terminal_options("as_json", "quiet")
 def segment(
     logs: tuple[Path, ...], first: float | None, last: float | None, world: str | None,
-    body: str | None, terminal: Terminal,
+    body: str | None, track: str | None, terminal: Terminal,
 ) -> None:  # fmt: skip
     """Find the impacts in logs: when, how strong, which way; or why one cannot be used.
 
@@ -113,8 +128,11 @@ def segment(
     springback identify segment flight.ulg take.csv --json
     """
     from springback.logs.overview import as_data, overview
+    from springback.logs.vehicle_track import with_vehicle
 
-    recordings = recordings_of(logs, first=first, last=last, world=world, body=body)
+    recordings = with_vehicle(
+        recordings_of(logs, first=first, last=last, world=world, body=body), track
+    )
     with terminal.spinner("looking for impacts"):
         found = overview(recordings)
     if not found.impacts:
