@@ -18,6 +18,7 @@ from springback.logs.frame_turns import (
     WORLDS,
     attitudes_in,
     axis_turns,
+    conjugate,
     matrix_quaternion,
     product,
     rotation_vector,
@@ -112,6 +113,36 @@ def test_every_mistake_of_the_inertial_units_axes_is_found_and_named(number: int
         assert turn_words(turn.T) in track.sentence
     rest = by_name["accelerometer"]
     assert rest.passed is bool(np.array_equal(turn[2], [0.0, 0.0, 1.0]))
+
+
+@pytest.mark.parametrize("tracked", [True, False])
+def test_a_vehicle_that_leans_and_accelerates_has_no_wrong_axes(tracked: bool) -> None:
+    """Nose down by 15 degrees: the specific force is along the body's z, not the world's."""
+    t = np.arange(0.0, 2.0, 0.001)
+    lean = np.radians(15.0)
+    turn = np.stack([0.3 * np.sin(9.0 * t), np.full_like(t, lean), 0.0 * t], axis=1)
+    q, slow = vector_quaternion(turn), slice(None, None, 5)
+    push = world_vectors(q, np.tile([0.0, 0.0, 9.80665 / np.cos(lean)], (len(t), 1)))
+    speed = np.cumsum(1e-3 * (push - [0.0, 0.0, 9.80665]), axis=0)
+    force, gyro, place, attitude = whole().channels[:4]
+    rates = rotation_vector(product(conjugate(q[:-1]), q[1:])) / 1e-3
+    channels = [
+        replace(force, times=t, values=np.tile(push[:1] * 0.0 + [0.0, 0.0, 9.80665 / np.cos(lean)],
+                                               (len(t), 1)), clipped=None),
+        replace(gyro, times=t[:-1] + 5e-4, values=rates),
+        replace(attitude, times=t[slow], values=q[slow]),
+    ]  # fmt: skip
+    if tracked:
+        track = 1e-3 * np.cumsum(speed, axis=0)[slow]
+        channels.append(replace(place, times=t[slow], values=track))
+    found = {one.name: one for one in check_frames([recording(*channels)])}
+    up = found["vehicle.attitude and accelerometer"]
+    assert up.passed, up.sentence
+    assert ("gravity is 0." in up.sentence) is tracked
+    askew = Rotation.from_euler("y", 20.0, degrees=True).as_matrix()
+    channels[0] = replace(channels[0], values=channels[0].values @ askew.T)
+    found = {one.name: one for one in check_frames([recording(*channels)])}
+    assert found["vehicle.attitude and accelerometer"].passed is not tracked
 
 
 @pytest.mark.parametrize("world", ["y-up", "ned"])

@@ -18,9 +18,17 @@ from springback.identification.settings import FitPlan, LoggedFlight, refuse_sec
 from springback.identification.solving.fitting import ImpactFit, fit_impact
 from springback.identification.unknowns import Unknown, field_unknown
 from springback.identification.wording import force_sentences, sentences
+from springback.logs.axes_options import refuse_unused_axes
+from springback.logs.clock_jumps import refuse_clock_jumps
 from springback.logs.frame_check import check_frames, refuse_units
 from springback.logs.reading import LogOptions
-from springback.logs.recording import ARM_LENGTH, Recording
+from springback.logs.recording import (
+    ANGULAR_VELOCITY,
+    ARM_LENGTH,
+    POSITION,
+    SPECIFIC_FORCE,
+    Recording,
+)
 from springback.logs.segments import LogImpact, find_impacts
 from springback.logs.vehicle_track import with_vehicle
 from springback.logs.writing.flight_recording import log_or_flight
@@ -45,6 +53,8 @@ NEAR = 0.05
 #: Most arms whose order is looked at, and the share of the squares below which another order is
 #: plainly the right one (chosen).
 MOST_ORDERED, PLAINLY = 6, 0.2
+#: Largest sample over the end of its range: noise and rounding of the number (chosen).
+BEYOND_RANGE = 1.05
 
 
 class ReadFlight(NamedTuple):
@@ -117,9 +127,10 @@ def _read_flight(
 ) -> ReadFlight:
     changed = apply_overrides(tables, given.change)
     scenario = read_scenario(folder / plan.scenario, given.change)
-    recordings = with_vehicle(
-        [_recording(folder / name, given) for name in given.logs], given.track
-    )
+    recordings = [_recording(folder / name, given) for name in given.logs]
+    refuse_unused_axes(recordings, given.world, given.body)
+    recordings = with_vehicle(recordings, given.track)
+    refuse_clock_jumps(recordings)
     for log in recordings:
         refuse_units(log, max(scenario.start_state().arm_length, default=None))
     names = ", ".join(str(one.path) for one in recordings)
@@ -209,6 +220,7 @@ def fit(plan: FitPlan, folder: str | Path = ".", *, progress: Progress = silent)
     ]  # fmt: skip
     for problem in problems:
         _check_arm_order(problem)
+        check_chain(problem)
     fits = []
     for k, problem in enumerate(problems):
         part = stage(progress, k / len(problems), 1.0 / len(problems))
@@ -216,6 +228,38 @@ def fit(plan: FitPlan, folder: str | Path = ".", *, progress: Progress = silent)
         part(1.0)
     refused = [reason for flight in flights for reason in flight.refused]
     return result_of(plan, fits, refused, [text for flight in flights for text in flight.warnings])
+
+
+def check_chain(problem: ImpactProblem) -> None:
+    """Refuse what a sensor cannot have done to the samples that are there.
+
+    Raises:
+        InputError: If a range ends below a sample, or poses were smoothed above half their rate.
+    """
+    sensors = problem.plan.sensors
+    for one in problem.readings:
+        where = f"{problem.impact.name}: {one.name}"
+        if one.quantity in (SPECIFIC_FORCE, ANGULAR_VELOCITY):
+            is_force = one.quantity == SPECIFIC_FORCE
+            word, unit = ("accelerometer", "m/s^2") if is_force else ("gyroscope", "rad/s")
+            full, most = problem.chain(one).full_scale, float(np.nanmax(np.abs(one.values)))
+            if full is not None and most > BEYOND_RANGE * full:
+                given = (sensors.accelerometer if is_force else sensors.gyroscope).full_scale
+                key = f"sensors.{word}.full_scale" if given is not None else (
+                    f"sensors.imu.{word}.full_scale of the scenario, as nothing else tells it"
+                )  # fmt: skip
+                raise InputError(
+                    f"{key}: must be at least the largest sample of {where}, {most:.4g} {unit} "
+                    f"(got {full:.4g} {unit})"
+                )
+        corner = sensors.motion_capture.smoothing
+        if one.quantity == POSITION and corner is not None and len(one.times) > 3:
+            half = 0.5 / float(np.median(np.diff(one.times)))
+            if corner >= half:
+                raise InputError(
+                    f"sensors.motion_capture.smoothing: must be below half the rate of {where}, "
+                    f"{half:.4g} Hz (got {corner:g} Hz)"
+                )
 
 
 def _check_arm_order(problem: ImpactProblem) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import re
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal
@@ -25,6 +26,10 @@ USUALLY_KNOWN = {
     "vehicle.arms.directions": "+- 1 deg",
     "vehicle.body.inertia": "+- 5 %",
 }
+#: Override of a field's uncertainty in a table of the plan.
+_FIELD_WORD = re.compile(
+    r"""^\s*(?P<table>free|known)\.(?P<quote>["']?)(?P<name>[^"'=]+?)(?P=quote)\s*=(?P<text>.*)$"""
+)
 #: The word for a field that is not uncertain.
 EXACT = "exact"
 
@@ -308,7 +313,8 @@ def read_fit_plan(path: str | Path, overrides: Sequence[str] = ()) -> FitPlan:
 
     Args:
         path: TOML file.
-        overrides: Words such as ``starts=16``.
+        overrides: Words such as ``starts=16``, or ``known.vehicle.body.mass=+- 1 %``, a field's
+            name with or without quotes.
 
     Raises:
         InputError: One line for each problem, with file, line and field.
@@ -316,14 +322,26 @@ def read_fit_plan(path: str | Path, overrides: Sequence[str] = ()) -> FitPlan:
     path = Path(path)
     text = source_text(path)
     given = toml_tables(text, str(path))
+    rest = list[str]()
+    for word in overrides:
+        if match := _FIELD_WORD.match(word):  # its name has dots: one key
+            table = given.setdefault(match["table"], {})
+            table[match["name"]] = _unquoted(match["text"])
+        else:
+            rest.append(word)
     try:
-        return FitPlan.model_validate(apply_overrides(given, overrides))
+        return FitPlan.model_validate(apply_overrides(given, rest))
     except ValidationError as error:
         problems = []
         for keys, what in problem_paths(error):
             said = f"{dotted_path(keys)}: {what}" if keys else what
             problems.append(f"{place_of(str(path), text, keys)}: {said}")
         raise InputError(*problems) from None
+
+
+def _unquoted(text: str) -> str:
+    text = text.strip()
+    return text[1:-1] if len(text) > 1 and text[0] == text[-1] and text[0] in "\"'" else text
 
 
 @contextlib.contextmanager

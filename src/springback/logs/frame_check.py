@@ -42,6 +42,8 @@ from springback.logs.recording import (
 #: Errors above which a finding says so (chosen): of a quaternion's length, of the magnitude of
 #: gravity as a share, at rest and over a whole flight, of its direction [rad].
 UNIT_ERROR, GRAVITY_ERROR, MEDIAN_ERROR, TILT = 1e-3, 0.05, 0.2, np.radians(10.0)
+#: Lean of a vehicle in flight, at most, of which a wrong axis is twice as much [rad] (chosen).
+LEAN = np.radians(45.0)
 #: Stretches of rest [s], and the deviation of the specific force in them [m/s²] (chosen).
 QUIET, STILL = 0.5, 0.3
 #: Ratios to gravity of units that are mistaken for m/s².
@@ -156,8 +158,8 @@ def check_frames(recordings: Sequence[Recording]) -> list[FrameFinding]:
             offset = offset_of(home, attitude, gyro)
             found.append(_gyro_finding(attitude, gyro[1], offset))
         if accelerometer is not None and offset.correlation >= AGREED:
-            found.append(_up_finding(attitude, accelerometer[1], offset.seconds))
             position = _beside(home, attitude)
+            found.append(_up_finding(attitude, position, accelerometer[1], offset.seconds))
             if position is not None:
                 found.append(_bend_finding(attitude, position, accelerometer[1], offset.seconds))
     return list({one.name: one for one in reversed(found)}.values())[::-1]
@@ -304,23 +306,35 @@ def world_force(
     return accelerometer.times[inside], world_vectors(q, accelerometer.values[inside])
 
 
-def _up_finding(attitude: LogChannel, accelerometer: LogChannel, offset: float) -> FrameFinding:
-    """Mean specific force in the world's axes: up."""
+def _up_finding(
+    attitude: LogChannel, position: LogChannel | None, accelerometer: LogChannel, offset: float
+) -> FrameFinding:
+    """Specific force in the world's axes, less the bend of the track: up.
+
+    Without a track, a vehicle that leans also accelerates: its specific force is along its own z.
+    """
     names = f"{attitude.name} and {accelerometer.name}"
-    _, force = world_force(attitude, accelerometer, offset)
+    times, force = world_force(attitude, accelerometer, offset)
     if len(force) < 10:
         return FrameFinding(names, True, "overlap too little to compare")
-    mean = np.median(force, axis=0)
+    mean, most = np.median(force, axis=0), LEAN
+    if position is not None:
+        at, width, told = bends(position)
+        felt, whole = _triangle_means(accelerometer, times, force, at + offset, width)
+        if whole.sum() >= 10:
+            mean, most = np.median(felt[whole] - told[whole], axis=0), TILT
     size = float(np.linalg.norm(mean))
     tilt = float(np.arccos(np.clip(mean[2] / size, -1.0, 1.0))) if size else np.pi
-    if tilt < TILT:
+    if tilt < most:
         return FrameFinding(names, True, f"gravity is {np.degrees(tilt):.1f} deg off the vertical")
     k = int(np.argmax(np.abs(mean)))
     side = f"{'+' if mean[k] > 0.0 else '-'}{'xyz'[k]}"
+    why = "its world axes are not NWU, or its body axes are not those of the accelerometer"
+    if tilt < LEAN:
+        why = "the accelerometer is mounted askew, or the body's axes are"
     return FrameFinding(
         names, False,
-        f"the specific force is along the world's {side}, {np.degrees(tilt):.0f} deg off +z: its "
-        "world axes are not NWU, or its body axes are not those of the accelerometer",
+        f"the specific force is along the world's {side}, {np.degrees(tilt):.0f} deg off +z: {why}",
     )  # fmt: skip
 
 

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.logs.clock_jumps import clock_jumps
 from springback.logs.clocks import timing
 from springback.logs.frame_check import FrameFinding, check_frames, refuse_units
 from springback.logs.recording import (
@@ -17,6 +18,7 @@ from springback.logs.recording import (
     ROTOR_COMMAND,
     ROTOR_SPEED,
     SPECIFIC_FORCE,
+    VELOCITY,
     LogChannel,
     Recording,
 )
@@ -26,6 +28,8 @@ from springback.logs.segments import CONTACT, NEEDED, LogImpact, find_impacts, h
 POSE_RATE, GYRO_RATE, ROTOR_RATE = 100.0, 100.0, 50.0
 #: A vehicle that never turns faster nor deviates more from its median never moved (chosen).
 STILL_RATE, STILL_FORCE = 0.3, 2.0
+#: The same of a measured track [m], and of a velocity, which an autopilot may estimate [m/s].
+STILL_WAY, STILL_SPEED = 0.1, 0.5
 #: A low-pass below this hides a contact [Hz] (chosen).
 SLOWEST_FILTER = 100.0
 #: Profile of PX4's logger with high rates, vision and all samples of the accelerometer.
@@ -89,12 +93,16 @@ def _overview(recordings: Sequence[Recording]) -> Overview:
     return Overview(
         tuple(_log_words(one) for one in recordings),
         tuple(lines),
-        tuple(check_frames(recordings)),
+        (*check_frames(recordings), *_jump_findings(recordings)),
         tuple(missing_for_impact(recordings)),
         tuple(remarks),
         tuple(impacts),
         verdict(recordings, impacts),
     )
+
+
+def _jump_findings(recordings: Sequence[Recording]) -> list[FrameFinding]:
+    return [FrameFinding(one.channel, False, one.sentence) for one in clock_jumps(recordings)]
 
 
 def _log_words(one: Recording) -> str:
@@ -234,8 +242,18 @@ def blind_spots(recordings: Sequence[Recording]) -> list[str]:
 
 
 def never_moved(recordings: Sequence[Recording]) -> bool:
-    """True if no sensor ever left its median by much."""
+    """True if no sensor ever left its median by much, and no track nor velocity tells of motion."""
     seen = False
+    for one in recordings:
+        for channel in (*one.of(POSITION), *one.of(VELOCITY)):
+            if channel.is_lost.all() or channel.name in one.others:
+                continue
+            speeds = channel.quantity == VELOCITY
+            if speeds and np.nanmax(np.linalg.norm(channel.values, axis=1)) > STILL_SPEED:
+                return False
+            is_measured = not speeds and not channel.chain.estimated
+            if is_measured and np.nanmax(np.ptp(channel.values[~channel.is_lost], 0)) > STILL_WAY:
+                return False
     for quantity, limit in ((SPECIFIC_FORCE, STILL_FORCE), (ANGULAR_VELOCITY, STILL_RATE)):
         for channel in _measured(recordings, quantity):
             if len(channel.times) < 20:

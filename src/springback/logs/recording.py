@@ -28,6 +28,8 @@ DISORDER = 0.1
 LARGEST, LATEST = 1e9, 1e11
 #: Share of samples that may be impossible, as where a log is damaged (chosen).
 FEW = 0.01
+#: Format of tables of one's own, which a mapping file describes, axes included.
+MAPPED = "table with a mapping"
 
 
 class QuantityKind(NamedTuple):

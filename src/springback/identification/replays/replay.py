@@ -20,6 +20,7 @@ from springback.identification.observations.windows import (
 from springback.identification.replays.features import ForceRise
 from springback.identification.replays.start import MeasuredStart, is_tracked, measured_start
 from springback.identification.settings import ClockFit, FitSensors, StartFit, WindowFit
+from springback.logs.clock_jumps import refuse_clock_jumps
 from springback.logs.frame_check import refuse_units
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
@@ -240,6 +241,7 @@ def replay(
             f"--before: must be above 0 s and at most {LONGEST:g} s (got {options.before:g} s)"
         )
     _check_order(scenario, options.rotors)
+    refuse_clock_jumps(recordings)
     for one in recordings:
         refuse_units(one, max(scenario.start_state().arm_length, default=None))
     names = ", ".join(str(one.path) for one in recordings)

@@ -64,11 +64,14 @@ def recordings_of(logs: Sequence[Path], **given: Any) -> list[Recording]:
     Raises:
         InputError: If one cannot be read.
     """
+    from springback.logs.axes_options import refuse_unused_axes
     from springback.logs.reading import LogOptions
     from springback.logs.writing.flight_recording import log_or_flight
 
     options = LogOptions(**given)
-    return [log_or_flight(path, options) for path in logs]
+    found = [log_or_flight(path, options) for path in logs]
+    refuse_unused_axes(found, options.world, options.body)
+    return found
 
 
 @identify.command()
@@ -127,12 +130,14 @@ def segment(
     springback identify segment flight.ulg
     springback identify segment flight.ulg take.csv --json
     """
+    from springback.logs.clock_jumps import refuse_clock_jumps
     from springback.logs.overview import as_data, overview
     from springback.logs.vehicle_track import with_vehicle
 
     recordings = with_vehicle(
         recordings_of(logs, first=first, last=last, world=world, body=body), track
     )
+    refuse_clock_jumps(recordings)
     with terminal.spinner("looking for impacts"):
         found = overview(recordings)
     if not found.impacts:
@@ -141,7 +146,7 @@ def segment(
     data = as_data(found)
     terminal.print(
         {"verdict": data["verdict"], "impacts": data["impacts"]},
-        "\n".join([found.verdict, *(_impact_text(one) for one in found.impacts)]),
+        "\n".join([found.verdict, *(impact_text(one) for one in found.impacts)]),
     )
 
 
@@ -204,7 +209,7 @@ def _overview_text(found: Overview) -> str:
     if found.remarks:
         lines += ["", "remarks", *(f"  {text}" for text in found.remarks)]
     if found.impacts:
-        lines += ["", "impacts", *(f"  {_impact_text(one)}" for one in found.impacts)]
+        lines += ["", "impacts", *(f"  {impact_text(one)}" for one in found.impacts)]
     return "\n".join(lines)
 
 
@@ -226,8 +231,11 @@ def _channel_lines(found: Overview) -> list[str]:
     ]
 
 
-def _impact_text(one: LogImpact) -> str:
-    words = [f"at {one.touch:.4f} s for {1e3 * (one.release - one.touch):.1f} ms"]
+def impact_text(one: LogImpact) -> str:
+    """An impact in a line."""
+    words = [f"at {one.touch:.4f} s"]
+    if one.release > one.touch:  # a track alone tells no more than an instant
+        words[0] += f" for {1e3 * (one.release - one.touch):.1f} ms"
     if one.velocity is not None:
         words.append(f"{math.hypot(*one.velocity):.2f} m/s before it")
     if one.attitude is not None:
