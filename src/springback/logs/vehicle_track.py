@@ -28,7 +28,7 @@ from springback.problems import nearest_name
 STILL = 0.05
 
 
-class _Body(NamedTuple):
+class _Tracked(NamedTuple):
     log: int
     name: str
     position: LogChannel
@@ -109,18 +109,18 @@ def _body_of(channel: LogChannel) -> str:
     return channel.name.rpartition(".")[0] or channel.name
 
 
-def _bodies(log: int, recording: Recording) -> list[_Body]:
+def _bodies(log: int, recording: Recording) -> list[_Tracked]:
     found = []
     for position in recording.of(POSITION):
         if name := _body_of(position):
             attitude = next(
                 (one for one in recording.of(ATTITUDE) if _body_of(one) == name), None
             )  # fmt: skip
-            found.append(_Body(log, name, position, attitude))
+            found.append(_Tracked(log, name, position, attitude))
     return found
 
 
-def _told(recordings: Sequence[Recording], bodies: Sequence[_Body]) -> tuple[list[str], str]:
+def _told(recordings: Sequence[Recording], bodies: Sequence[_Tracked]) -> tuple[list[str], str]:
     """Names of the vehicle's bodies, which may be several records of one, and why."""
     gyros = [
         (one, channel) for one in recordings for channel in one.of(ANGULAR_VELOCITY)
