@@ -57,3 +57,23 @@ def test_a_start_that_cannot_be_evaluated_is_left_alone() -> None:
     found = solve(refusing, np.array([[1.0, -2.0, 0.0], [1.0, 1.0, 0.0]]), farthest=6.0)
     assert list(found.converged) == [False, True]
     assert np.isinf(found.costs[0])
+
+
+def test_the_others_are_solved_where_one_is_stopped_at_an_edge() -> None:
+    """The first would go to 3; beyond 2 nothing can be evaluated, nor be its difference."""
+
+    def refusing(points: np.ndarray) -> np.ndarray:
+        found = residuals(points)
+        found[points[:, 0] > 2.0] = np.nan
+        return found
+
+    found = solve(refusing, np.ones((1, 3)), farthest=6.0)
+    assert found.points[0, 0] == pytest.approx(2.0, abs=1e-3)
+    alone = least_squares(
+        lambda x: residuals(np.array([[found.points[0, 0], x[0], x[1]]]))[0], [1.0, 0.5],
+        x_scale="jac",
+    )  # fmt: skip
+    np.testing.assert_allclose(found.points[0, 1:], alone.x, rtol=1e-3)
+    _, [slopes] = jacobians(refusing, np.array([[2.0, 1.4, 0.5]]), np.ones(3, dtype=bool))
+    _, [free] = jacobians(residuals, np.array([[2.0, 1.4, 0.5]]), np.ones(3, dtype=bool))
+    np.testing.assert_allclose(slopes, free, rtol=1e-3, atol=1e-3)

@@ -9,12 +9,14 @@ import pytest
 
 from builders.recordings import CHANGE, inertial, poses, recording
 from springback.errors import InputError
+from springback.logs.clock_jumps import clock_jumps, refuse_clock_jumps
 from springback.logs.clocks import Integral, attitude_rates, clock_offset, timing
 from springback.logs.overview import overview
 from springback.logs.recording import (
     DISORDER,
     SPECIFIC_FORCE,
     Budget,
+    LogChannel,
     log_channel,
     refuse_without_channels,
 )
@@ -146,3 +148,49 @@ def test_a_log_too_large_for_the_memory_is_refused() -> None:
 def test_a_log_of_which_nothing_is_read_says_what_would_be() -> None:
     with pytest.raises(InputError, match=r"log: has nothing that can be used \(cut\); known are x"):
         refuse_without_channels("log", [], "x", ["cut"])
+
+
+def jumped(one: LogChannel, at: float, by: float) -> LogChannel:
+    return replace(one, times=one.times + np.where(one.times > at, by, 0.0))
+
+
+def test_a_track_whose_clock_jumps_ahead_is_refused_by_its_motion() -> None:
+    """It flies on at 1 m/s from where it was."""
+    place, attitude = poses()
+    log = recording(*(jumped(one, 0.6, 0.5) for one in (place, attitude)))
+    [found] = clock_jumps([log])
+    assert (found.at, found.seconds) == (pytest.approx(0.6, abs=0.006), pytest.approx(0.5))
+    with pytest.raises(
+        InputError, match=r"^made: vehicle.position: its clock jumps ahead by 500 ms"
+    ):
+        refuse_clock_jumps([log])
+    assert any("its clock jumps" in one.sentence for one in overview([log]).findings)
+
+
+@pytest.mark.parametrize("which", ["track", "inertial unit"])
+def test_a_clock_that_jumps_is_found_by_the_turns_of_another(which: str) -> None:
+    place, attitude = poses(8.0, touch=7.0)
+    unit = inertial(8.0, touch=7.0)
+    if which == "track":
+        attitude = jumped(attitude, 3.0, 0.4)
+    else:
+        unit = [jumped(one, 3.0, 0.4) for one in unit]
+    [found] = clock_jumps([recording(*unit), recording(attitude, path="take")])
+    assert found.log == ("take" if which == "track" else "made")
+    assert found.seconds == pytest.approx(0.4, abs=0.01)
+    assert "than before the gap" in found.sentence
+    assert clock_jumps([recording(*inertial(8.0, touch=7.0)), recording(place)]) == []
+
+
+def test_samples_that_are_lost_are_no_jump() -> None:
+    """A gap of half a second, in which the vehicle flies on; a bounce back to where it was."""
+
+    def without(one: LogChannel) -> LogChannel:
+        kept = (one.times < 1.0) | (one.times > 1.5)
+        return replace(one, times=one.times[kept], values=one.values[kept])
+
+    place, attitude = (without(one) for one in poses())
+    assert clock_jumps([recording(*inertial()), recording(place, attitude)]) == []
+    back = np.where(place.times[:, None] > 1.2, -1.0, 1.0) * (place.times[:, None] - 1.25)
+    returned = replace(place, values=np.tile(back, (1, 3)))
+    assert clock_jumps([recording(returned)]) == []

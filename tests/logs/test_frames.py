@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from builders.recordings import inertial, poses, recording
+from builders.recordings import inertial, poses, recording, whole
 from springback.errors import InputError
 from springback.logs.frame_check import check_frames, refuse_units
 from springback.logs.frame_turns import (
@@ -18,6 +18,7 @@ from springback.logs.frame_turns import (
     WORLDS,
     attitudes_in,
     axis_turns,
+    conjugate,
     matrix_quaternion,
     product,
     rotation_vector,
@@ -114,6 +115,36 @@ def test_every_mistake_of_the_inertial_units_axes_is_found_and_named(number: int
     assert rest.passed is bool(np.array_equal(turn[2], [0.0, 0.0, 1.0]))
 
 
+@pytest.mark.parametrize("tracked", [True, False])
+def test_a_vehicle_that_leans_and_accelerates_has_no_wrong_axes(tracked: bool) -> None:
+    """Nose down by 15 degrees: the specific force is along the body's z, not the world's."""
+    t = np.arange(0.0, 2.0, 0.001)
+    lean = np.radians(15.0)
+    turn = np.stack([0.3 * np.sin(9.0 * t), np.full_like(t, lean), 0.0 * t], axis=1)
+    q, slow = vector_quaternion(turn), slice(None, None, 5)
+    push = world_vectors(q, np.tile([0.0, 0.0, 9.80665 / np.cos(lean)], (len(t), 1)))
+    speed = np.cumsum(1e-3 * (push - [0.0, 0.0, 9.80665]), axis=0)
+    force, gyro, place, attitude = whole().channels[:4]
+    rates = rotation_vector(product(conjugate(q[:-1]), q[1:])) / 1e-3
+    channels = [
+        replace(force, times=t, values=np.tile(push[:1] * 0.0 + [0.0, 0.0, 9.80665 / np.cos(lean)],
+                                               (len(t), 1)), clipped=None),
+        replace(gyro, times=t[:-1] + 5e-4, values=rates),
+        replace(attitude, times=t[slow], values=q[slow]),
+    ]  # fmt: skip
+    if tracked:
+        track = 1e-3 * np.cumsum(speed, axis=0)[slow]
+        channels.append(replace(place, times=t[slow], values=track))
+    found = {one.name: one for one in check_frames([recording(*channels)])}
+    up = found["vehicle.attitude and accelerometer"]
+    assert up.passed, up.sentence
+    assert ("gravity is 0." in up.sentence) is tracked
+    askew = Rotation.from_euler("y", 20.0, degrees=True).as_matrix()
+    channels[0] = replace(channels[0], values=channels[0].values @ askew.T)
+    found = {one.name: one for one in check_frames([recording(*channels)])}
+    assert found["vehicle.attitude and accelerometer"].passed is not tracked
+
+
 @pytest.mark.parametrize("world", ["y-up", "ned"])
 def test_a_world_whose_z_is_not_up_is_found(world: str) -> None:
     place, attitude = poses()
@@ -169,6 +200,25 @@ def test_a_position_in_another_unit_is_refused(factor: float, said: str) -> None
     if factor > 1.0:
         with pytest.raises(InputError, match="probably mm"):
             refuse_units(recording(wrong))
+
+
+@pytest.mark.parametrize(
+    ("factor", "known", "said"),
+    [
+        (1e3, None, "no arm is longer than 3 m: its unit is probably mm"),
+        (100.0, None, "no arm is longer than 3 m: its unit is probably cm"),
+        (1e3, 0.19, "the scenario's longest arm is 0.19 m: its unit is probably mm"),
+        (10.0, 0.19, "the scenario's longest arm is 0.19 m: its unit is probably cm"),
+        (1e-3, 0.19, "the numbers are probably metres already"),
+    ],
+)
+def test_lengths_that_no_arm_has_are_refused(factor: float, known: float | None, said: str) -> None:
+    log = whole()
+    arms = log.channels[4]
+    with pytest.raises(InputError, match=rf"^made: arm lengths: lengths are .*{re.escape(said)}$"):
+        refuse_units(recording(replace(arms, values=factor * arms.values)), known)
+    refuse_units(log, known)
+    refuse_units(recording(replace(arms, values=arms.values - 0.2)), known)  # compressions
 
 
 @pytest.mark.parametrize(("factor", "said"), [(180.0 / np.pi, "deg/s"), (1e3, "mrad/s")])

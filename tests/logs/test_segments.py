@@ -19,15 +19,19 @@ from builders.recordings import (
     recording,
     whole,
 )
+from springback.errors import InputError
 from springback.frames import euler_from_attitude
-from springback.logs.axes_options import axes_options
+from springback.interfaces.cli.identify.logs import impact_text
+from springback.logs.axes_options import axes_options, refuse_unused_axes
 from springback.logs.frame_turns import BODIES, WORLDS, attitudes_in, vectors_in
 from springback.logs.overview import missing_for_impact, overview
 from springback.logs.recording import (
     ARM_LENGTH,
+    MAPPED,
     POSITION,
     ROTOR_SPEED,
     SPECIFIC_FORCE,
+    VELOCITY,
     Recording,
     SensorChain,
     log_channel,
@@ -84,6 +88,48 @@ def test_wrong_axes_are_named_as_the_options_to_type(
     unit = recording(*inertial())
     assert axes_options([read, unit], *wrong) == f"--world {made[0]} --body {made[1]}"
     assert axes_options([recording(position, attitude, form="MCAP"), unit]) == ""
+
+
+def test_wrong_axes_of_a_mapping_are_named_as_its_lines() -> None:
+    """Poses and inertial unit are of one table, whose vectors are all turned."""
+    world, body = WORLDS["ned"], BODIES["frd"]
+    position, attitude = poses()
+    force, gyro = inertial()
+    turned = (
+        replace(force, values=vectors_in(body, force.values)),
+        replace(gyro, values=vectors_in(body, gyro.values)),
+        replace(position, values=vectors_in(world, position.values)),
+        replace(attitude, values=attitudes_in(world, body, attitude.values)),
+    )
+    read = {"world": "nwu", "body": "flu"}  # what the mapping says, of a table in NED and FRD
+    table = replace(recording(*turned, path="log.csv", form=MAPPED), parameters=read)
+    said = '[axes] world = "ned" body = "frd" in the mapping file of log.csv'
+    assert axes_options([table]) == said
+    with pytest.raises(InputError, match=r"^--world: is not read for log.csv, whose mapping file"):
+        refuse_unused_axes([table], world="ned")
+    refuse_unused_axes([table, recording(force, form="MCAP")], world="ned")
+    refuse_unused_axes([table])
+    alone = (force, gyro, *turned[2:])
+    table = replace(recording(*alone, path="log.csv", form=MAPPED), parameters=read)
+    assert axes_options([table]).startswith(
+        '[axes] world = "ned" body = "frd" in a mapping file of their own for the poses of log.csv'
+    )
+
+
+def test_a_log_that_is_cut_off_in_flight_did_not_rest() -> None:
+    """At 2 m/s without turning, or as an autopilot's velocity has it."""
+    t = np.arange(0.0, 1.0, 0.01)
+    still = log_channel("log", "imu", SPECIFIC_FORCE, t, np.tile([0.0, 0.0, 9.81], (100, 1)))
+    assert "rests from begin to end" in overview([recording(still)]).verdict
+    track = log_channel("log", "v.position", POSITION, t, t[:, None] * [2.0, 0.0, 0.0])
+    flown = log_channel("log", "v", VELOCITY, t, np.tile([2.0, 0.0, 0.0], (100, 1)))
+    for moving in (track, flown):
+        assert "rests" not in overview([recording(still, moving)]).verdict
+
+
+def test_a_track_alone_tells_no_duration() -> None:
+    [found] = find_impacts([recording(*poses())])
+    assert impact_text(found).startswith(f"at {found.touch:.4f} s, ")
 
 
 def test_a_smooth_flight_has_no_impact() -> None:

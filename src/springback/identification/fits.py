@@ -18,11 +18,20 @@ from springback.identification.settings import FitPlan, LoggedFlight, refuse_sec
 from springback.identification.solving.fitting import ImpactFit, fit_impact
 from springback.identification.unknowns import Unknown, field_unknown
 from springback.identification.wording import force_sentences, sentences
+from springback.logs.axes_options import refuse_unused_axes
+from springback.logs.clock_jumps import refuse_clock_jumps
 from springback.logs.filter_check import untold_filter
-from springback.logs.frame_check import check_frames
+from springback.logs.frame_check import check_frames, refuse_units
 from springback.logs.reading import LogOptions
-from springback.logs.recording import ARM_LENGTH, SPECIFIC_FORCE, Recording
+from springback.logs.recording import (
+    ANGULAR_VELOCITY,
+    ARM_LENGTH,
+    POSITION,
+    SPECIFIC_FORCE,
+    Recording,
+)
 from springback.logs.segments import LogImpact, find_impacts
+from springback.logs.vehicle_track import with_vehicle
 from springback.logs.writing.flight_recording import log_or_flight
 from springback.progress import Progress, silent, stage
 from springback.scenario.code_files import with_absolute_names
@@ -45,6 +54,8 @@ NEAR = 0.05
 #: Most arms whose order is looked at, and the share of the squares below which another order is
 #: plainly the right one (chosen).
 MOST_ORDERED, PLAINLY = 6, 0.2
+#: Largest sample over the end of its range: noise and rounding of the number (chosen).
+BEYOND_RANGE = 1.05
 
 
 class ReadFlight(NamedTuple):
@@ -118,6 +129,11 @@ def _read_flight(
     changed = apply_overrides(tables, given.change)
     scenario = read_scenario(folder / plan.scenario, given.change)
     recordings = [_recording(folder / name, given) for name in given.logs]
+    refuse_unused_axes(recordings, given.world, given.body)
+    recordings = with_vehicle(recordings, given.track)
+    refuse_clock_jumps(recordings)
+    for log in recordings:
+        refuse_units(log, max(scenario.start_state().arm_length, default=None))
     names = ", ".join(str(one.path) for one in recordings)
     found = find_impacts(recordings, drops=plan.experiment == "drop")
     wanted, refused = list[LogImpact](), list[str]()
@@ -127,9 +143,13 @@ def _read_flight(
             known = ", ".join(f"{one.touch:.3f} s" for one in found) or "none"
             refused.append(f"{names}: has no impact at {time:g} s; found: {known}")
         wanted += near
+    reasons = dict[str, list[str]]()
     for one in wanted if given.at else found:
         if one.refused:
-            refused.append(f"{names}: impact at {one.touch:.3f} s: {one.refused}")
+            reasons.setdefault(one.refused, []).append(f"{one.touch:.3f} s")
+    for why, times in reasons.items():
+        many = "impacts" if len(times) > 1 else "impact"
+        refused.append(f"{names}: {many} at {', '.join(times)}: {why}")
     if not found:
         refused.append(f"{names}: no impact was found; springback identify inspect tells more")
     used = [one for one in (wanted if given.at else found) if not one.refused]
@@ -206,6 +226,7 @@ def fit(plan: FitPlan, folder: str | Path = ".", *, progress: Progress = silent)
     ]  # fmt: skip
     for problem in problems:
         _check_arm_order(problem)
+        check_chain(problem)
     fits = []
     for k, problem in enumerate(problems):
         part = stage(progress, k / len(problems), 1.0 / len(problems))
@@ -213,6 +234,38 @@ def fit(plan: FitPlan, folder: str | Path = ".", *, progress: Progress = silent)
         part(1.0)
     refused = [reason for flight in flights for reason in flight.refused]
     return result_of(plan, fits, refused, [text for flight in flights for text in flight.warnings])
+
+
+def check_chain(problem: ImpactProblem) -> None:
+    """Refuse what a sensor cannot have done to the samples that are there.
+
+    Raises:
+        InputError: If a range ends below a sample, or poses were smoothed above half their rate.
+    """
+    sensors = problem.plan.sensors
+    for one in problem.readings:
+        where = f"{problem.impact.name}: {one.name}"
+        if one.quantity in (SPECIFIC_FORCE, ANGULAR_VELOCITY):
+            is_force = one.quantity == SPECIFIC_FORCE
+            word, unit = ("accelerometer", "m/s^2") if is_force else ("gyroscope", "rad/s")
+            full, most = problem.chain(one).full_scale, float(np.nanmax(np.abs(one.values)))
+            if full is not None and most > BEYOND_RANGE * full:
+                given = (sensors.accelerometer if is_force else sensors.gyroscope).full_scale
+                key = f"sensors.{word}.full_scale" if given is not None else (
+                    f"sensors.imu.{word}.full_scale of the scenario, as nothing else tells it"
+                )  # fmt: skip
+                raise InputError(
+                    f"{key}: must be at least the largest sample of {where}, {most:.4g} {unit} "
+                    f"(got {full:.4g} {unit})"
+                )
+        corner = sensors.motion_capture.smoothing
+        if one.quantity == POSITION and corner is not None and len(one.times) > 3:
+            half = 0.5 / float(np.median(np.diff(one.times)))
+            if corner >= half:
+                raise InputError(
+                    f"sensors.motion_capture.smoothing: must be below half the rate of {where}, "
+                    f"{half:.4g} Hz (got {corner:g} Hz)"
+                )
 
 
 def _check_arm_order(problem: ImpactProblem) -> None:

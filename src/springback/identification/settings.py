@@ -29,6 +29,10 @@ USUALLY_KNOWN = {
 }
 #: A number with its uncertainty, such as ``30 Hz +- 20 %``.
 _ABOUT = re.compile(r"^\s*(?P<centre>.*?)\s*(?:\+-|\+/-|±)\s*(?P<uncertainty>.+?)\s*$")
+#: Override of a field's uncertainty in a table of the plan.
+_FIELD_WORD = re.compile(
+    r"""^\s*(?P<table>free|known)\.(?P<quote>["']?)(?P<name>[^"'=]+?)(?P=quote)\s*=(?P<text>.*)$"""
+)
 #: The word for a field that is not uncertain.
 EXACT = "exact"
 
@@ -168,6 +172,10 @@ class StartFit(Settings):
     """Standard deviation of each component of a small rotation vector (chosen)."""
     angular_velocity: Annotated[float, Unit("rad/s", above=0.0)] = 0.5
     """Standard deviation of each axis (chosen)."""
+    height: Annotated[float, Unit("m", above=0.0)] = 0.01
+    """Standard deviation of the height of a drop, where no track tells the fall (chosen): the
+    height itself is that of the scenario's start, and the others are then not three times as
+    much."""
 
 
 class WindowFit(Settings):
@@ -188,6 +196,9 @@ class LoggedFlight(Settings):
     """World axes of poses: nwu, enu, ned, z-up, y-up."""
     body: str | None = None
     """Body axes of poses: flu, frd, rfu, y-up."""
+    track: str | None = None
+    """Name of the vehicle among the bodies of a motion capture; by default the one that turns as
+    the gyroscope says."""
     first: Annotated[float, Unit("s")] | None = None
     """First instant that is read."""
     last: Annotated[float, Unit("s")] | None = None
@@ -302,8 +313,9 @@ class FitPlan(Settings):
         if isinstance(given, Mapping) and "logs" in given:
             if "flights" in given:
                 raise problem("cannot be combined with [[flights]]", "logs")
-            rest = {key: value for key, value in given.items() if key != "logs"}
-            return {**rest, "flights": [{"logs": given["logs"]}]}
+            alone = {key: given[key] for key in ("logs", "track") if key in given}
+            rest = {key: value for key, value in given.items() if key not in alone}
+            return {**rest, "flights": [alone]}
         return given
 
     @model_validator(mode="after")
@@ -331,7 +343,8 @@ def read_fit_plan(path: str | Path, overrides: Sequence[str] = ()) -> FitPlan:
 
     Args:
         path: TOML file.
-        overrides: Words such as ``starts=16``.
+        overrides: Words such as ``starts=16``, or ``known.vehicle.body.mass=+- 1 %``, a field's
+            name with or without quotes.
 
     Raises:
         InputError: One line for each problem, with file, line and field.
@@ -339,14 +352,26 @@ def read_fit_plan(path: str | Path, overrides: Sequence[str] = ()) -> FitPlan:
     path = Path(path)
     text = source_text(path)
     given = toml_tables(text, str(path))
+    rest = list[str]()
+    for word in overrides:
+        if match := _FIELD_WORD.match(word):  # its name has dots: one key
+            table = given.setdefault(match["table"], {})
+            table[match["name"]] = _unquoted(match["text"])
+        else:
+            rest.append(word)
     try:
-        return FitPlan.model_validate(apply_overrides(given, overrides))
+        return FitPlan.model_validate(apply_overrides(given, rest))
     except ValidationError as error:
         problems = []
         for keys, what in problem_paths(error):
             said = f"{dotted_path(keys)}: {what}" if keys else what
             problems.append(f"{place_of(str(path), text, keys)}: {said}")
         raise InputError(*problems) from None
+
+
+def _unquoted(text: str) -> str:
+    text = text.strip()
+    return text[1:-1] if len(text) > 1 and text[0] == text[-1] and text[0] in "\"'" else text
 
 
 @contextlib.contextmanager

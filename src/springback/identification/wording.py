@@ -16,11 +16,13 @@ from springback.identification.misfit import ChannelMisfit
 from springback.identification.sensitivity import HARDLY, field_sensitivities, reason_untold
 from springback.identification.solving.fitting import ImpactFit
 from springback.identification.solving.pooling import DIFFERENT
-from springback.logs.recording import ARM_LENGTH, POSITION, SPECIFIC_FORCE
+from springback.logs.recording import ARM_LENGTH, POSITION, SPECIFIC_FORCE, Array
 
 #: Correlation from which two fields cannot be told apart, and the share of a variance that one
 #: known field has (chosen).
 BOUND_TOGETHER, INHERITED = 0.9, 0.05
+#: Share of the variance of a stiffness from which it is one over mass (chosen).
+MOSTLY = 0.5
 #: Samples in a contact below which they are said to be few (chosen).
 FEW_SAMPLES = 15
 #: Standard deviations of a prior beyond which its field is a surprise (chosen).
@@ -72,6 +74,7 @@ def sentences(
     """Warnings and reasons, most important first."""
     return [
         *_misfit_sentences(tested),
+        *(text for fit in fits for text in fit.bounds),
         *_search_sentences(fits),
         *_far_from_priors(estimates),
         *(text for one in estimates if one.unknown.role == "free"
@@ -144,11 +147,13 @@ def _not_learned(one: FieldEstimate, fits: Sequence[ImpactFit]) -> list[str]:
     if force is None:
         reasons.append("no accelerometer was given")
         if track is not None:
-            inside = (track.times >= impact.touch) & (track.times <= impact.release)
-            if inside.sum() < FEW_SAMPLES:
-                reasons.append(
-                    f"the track saw {int(inside.sum())} samples of a contact of {contact:.0f} ms"
-                )
+            seen = int(((track.times >= impact.touch) & (track.times <= impact.release)).sum())
+            if not impact.release > impact.touch:
+                rate = 1.0 / float(np.median(np.diff(track.times)))
+                reasons.append(f"a track of {rate:.0f} Hz does not show the contact itself")
+            elif seen < FEW_SAMPLES:
+                many = "1 sample" if seen == 1 else f"{seen} samples"
+                reasons.append(f"the track saw {many} of a contact of {contact:.0f} ms")
     if impact.of(ARM_LENGTH) is None and ".arms." in one.unknown.name:
         reasons.append("no sensors of arm lengths were given")
     if not reasons:
@@ -221,9 +226,26 @@ def _inherited(fits: Sequence[ImpactFit], estimates: Sequence[FieldEstimate]) ->
         ]
         said = f"{one.unknown.name} was assumed ({one.unknown.uncertainty}), not measured"
         found.append(f"{said}: it makes {', '.join(heirs)}" if heirs else said)
-    mass = [one for one in estimates if one.unknown.name.endswith("mass")]
-    if mass and any(one.unknown.unit.startswith("N") for one in estimates):
+    heirs = _of_mass(estimates, names, matrix)
+    if heirs:
         found.append(
-            "only stiffness and damping over mass are seen: all inherit the uncertainty of mass"
+            f"of {', '.join(heirs)} only the ratio to mass is seen: the uncertainty of mass is in "
+            "each"
         )
+    return found
+
+
+def _of_mass(estimates: Sequence[FieldEstimate], names: list[str], matrix: Array) -> list[str]:
+    """Free stiffnesses and dampings of which known masses have most of the variance."""
+    masses = [
+        names.index(one.unknown.name) for one in estimates
+        if one.unknown.role == "known" and one.unknown.name.endswith("mass")
+    ]  # fmt: skip
+    found = []
+    for one in estimates:
+        forces = one.unknown.unit.startswith("N") or one.unknown.name.endswith(".stiffness")
+        if masses and one.unknown.role == "free" and forces:
+            row = matrix[names.index(one.unknown.name)]
+            if max(float(row[k]) ** 2 for k in masses) > MOSTLY:
+                found.append(one.unknown.name)
     return found

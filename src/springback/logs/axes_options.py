@@ -8,12 +8,22 @@ what was assumed, is the answer.
 from __future__ import annotations
 
 import itertools
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from springback.errors import InputError, shown_value
 from springback.logs.frame_check import check_frames
 from springback.logs.frame_turns import BODIES, WORLDS, attitudes_in, vectors_in
-from springback.logs.recording import ATTITUDE, POSITION, VELOCITY, LogChannel, Recording
+from springback.logs.recording import (
+    ANGULAR_VELOCITY,
+    ATTITUDE,
+    MAPPED,
+    POSITION,
+    SPECIFIC_FORCE,
+    VELOCITY,
+    LogChannel,
+    Recording,
+)
 
 #: Axes that readers assume of poses, by the format.
 ASSUMED = {
@@ -28,30 +38,86 @@ _SAME = {"z-up": "nwu"}
 def axes_options(
     recordings: Sequence[Recording], world: str | None = None, body: str | None = None
 ) -> str:
-    """Options with which all findings pass, such as ``--world ned --body frd``; empty if none do.
+    """What to type for all findings to pass; empty if nothing would, or if they do.
+
+    Options such as ``--world ned --body frd``, or lines of a mapping file, such as ``[axes] world =
+    "ned" body = "frd"``.
 
     Args:
         recordings: Logs of one flight, as they were read.
         world: World axes that were given to the readers.
         body: Body axes that were given.
     """
-    failed = [one for one in check_frames(recordings) if not one.passed]
-    turnable = [one for one in recordings if one.format in ASSUMED and one.of(ATTITUDE)]
-    if not failed or not turnable:
+    if all(one.passed for one in check_frames(recordings)):
         return ""
-    pairs = itertools.product((w for w in WORLDS if w not in _SAME), BODIES)
-    now: dict[int, tuple[str, str]] = {}
-    for one in turnable:
-        assumed = ASSUMED[one.format]
-        now[id(one)] = world or assumed[0], body or assumed[1]
+    posed = [one for one in recordings if one.of(ATTITUDE)]
+    turnable = [one for one in posed if one.format in ASSUMED]
+    now = {
+        id(one): (world or ASSUMED[one.format][0], body or ASSUMED[one.format][1])
+        for one in turnable
+    }
+    if pair := _passing(recordings, now):
+        return f"--world {pair[0]} --body {pair[1]}"
+    mapped = [one for one in posed if one.format == MAPPED and "world" in one.parameters]
+    now = {id(one): (str(one.parameters["world"]), str(one.parameters["body"])) for one in mapped}
+    where = ", ".join(one.path.name for one in mapped)
+    for poses_alone in (False, True):
+        if pair := _passing(recordings, now, poses_alone):
+            line = f'[axes] world = "{pair[0]}" body = "{pair[1]}"'
+            if poses_alone:
+                return f"{line} in a mapping file of their own for the poses of {where}"
+            return f"{line} in the mapping file of {where}"
+    return ""
+
+
+def refuse_unused_axes(
+    recordings: Sequence[Recording], world: str | None = None, body: str | None = None
+) -> None:
+    """Refuse names of axes that no log of a flight is read by.
+
+    Args:
+        recordings: The logs.
+        world: World axes that were given.
+        body: Body axes that were given.
+
+    Raises:
+        InputError: If a log with a mapping, which has its own, is the only one that could.
+    """
+    if any(one.format in ASSUMED for one in recordings):
+        return
+    for name, word in (("world", world), ("body", body)):
+        mapped = next((one for one in recordings if one.format == MAPPED), None)
+        if word is not None and mapped is not None:
+            raise InputError(
+                f"--{name}: is not read for {mapped.path}, whose mapping file says its axes: write "
+                f'{name} = "{word}" there, under [axes] (got {shown_value(word)})'
+            )
+
+
+def _passing(
+    recordings: Sequence[Recording], now: Mapping[int, tuple[str, str]], poses_alone: bool = True
+) -> tuple[str, str] | None:
+    """Axes in which all findings pass, those nearest to the present ones first.
+
+    Args:
+        recordings: The logs.
+        now: Axes of those that can be read in others, by their identity.
+        poses_alone: False if a log's inertial unit is read in the same body axes.
+    """
+    if not now:
+        return None
     read_as = list(now.values())
+    pairs = itertools.product((w for w in WORLDS if w not in _SAME), BODIES)
     for pair in sorted(pairs, key=lambda pair: _differences(pair, read_as)):
         if _differences(pair, read_as) == 0:
             continue
-        tried = [_turned(one, now[id(one)], pair) if id(one) in now else one for one in recordings]
+        tried = [
+            _turned(one, now[id(one)], pair, poses_alone) if id(one) in now else one
+            for one in recordings
+        ]
         if all(one.passed for one in check_frames(tried)):
-            return f"--world {pair[0]} --body {pair[1]}"
-    return ""
+            return pair
+    return None
 
 
 def _differences(pair: tuple[str, str], now: Sequence[tuple[str, str]]) -> int:
@@ -61,8 +127,10 @@ def _differences(pair: tuple[str, str], now: Sequence[tuple[str, str]]) -> int:
     )  # fmt: skip
 
 
-def _turned(one: Recording, now: tuple[str, str], then: tuple[str, str]) -> Recording:
-    """A recording whose poses are read in other axes."""
+def _turned(
+    one: Recording, now: tuple[str, str], then: tuple[str, str], poses_alone: bool
+) -> Recording:
+    """A recording whose poses, or whose poses and inertial unit, are read in other axes."""
     world = WORLDS[then[0]] @ WORLDS[now[0]].T
     body = BODIES[then[1]] @ BODIES[now[1]].T
     channels = list[LogChannel]()
@@ -71,5 +139,7 @@ def _turned(one: Recording, now: tuple[str, str], then: tuple[str, str]) -> Reco
             channel = replace(channel, values=attitudes_in(world, body, channel.values))
         elif channel.quantity in (POSITION, VELOCITY):
             channel = replace(channel, values=vectors_in(world, channel.values))
+        elif channel.quantity in (SPECIFIC_FORCE, ANGULAR_VELOCITY) and not poses_alone:
+            channel = replace(channel, values=vectors_in(body, channel.values))
         channels.append(channel)
     return replace(one, channels=tuple(channels))

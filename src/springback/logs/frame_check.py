@@ -21,8 +21,15 @@ from springback.logs.clocks import (
     clock_offset,
 )
 from springback.logs.frame_turns import axis_turns, turn_words, world_vectors
+from springback.logs.free_fall import (
+    GRAVITY,
+    falling_samples,
+    falls_freely,
+    has_steady_size,
+)
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
+    ARM_LENGTH,
     ATTITUDE,
     POSITION,
     SPECIFIC_FORCE,
@@ -32,11 +39,11 @@ from springback.logs.recording import (
     Recording,
 )
 
-#: Standard gravity [m/s²].
-GRAVITY = 9.80665
 #: Errors above which a finding says so (chosen): of a quaternion's length, of the magnitude of
 #: gravity as a share, at rest and over a whole flight, of its direction [rad].
 UNIT_ERROR, GRAVITY_ERROR, MEDIAN_ERROR, TILT = 1e-3, 0.05, 0.2, np.radians(10.0)
+#: Lean of a vehicle in flight, at most, of which a wrong axis is twice as much [rad] (chosen).
+LEAN = np.radians(45.0)
 #: Stretches of rest [s], and the deviation of the specific force in them [m/s²] (chosen).
 QUIET, STILL = 0.5, 0.3
 #: Ratios to gravity of units that are mistaken for m/s².
@@ -51,8 +58,9 @@ STILL_RATE, STILL_ACCELERATION = 0.05, 0.5
 AGREED, BETTER = 0.9, 0.02
 #: Half the time over which the bend of a track is taken [s] (chosen).
 BEND = 0.06
-#: Fastest that a vehicle flies [m/s] (chosen).
-FASTEST = 100.0
+#: Fastest that a vehicle flies [m/s], longest arm [m], and the same as a multiple of a known
+#: vehicle's longest at rest (chosen: arms that swing open do not reach it).
+FASTEST, LONGEST_ARM, TIMES_AS_LONG = 100.0, 3.0, 3.0
 
 
 class FrameFinding(NamedTuple):
@@ -63,14 +71,20 @@ class FrameFinding(NamedTuple):
     sentence: str
 
 
-def refuse_units(recording: Recording) -> None:
+def refuse_units(recording: Recording, arm_length: float | None = None) -> None:
     """Refuse channels whose unit is plainly another one.
+
+    Args:
+        recording: A log.
+        arm_length: The vehicle's longest arm at rest [m], if the vehicle is known.
 
     Raises:
         InputError: In one line for each.
     """
     problems = []
     for channel in recording.of(SPECIFIC_FORCE):
+        if not has_steady_size(channel.values):
+            continue
         middle = float(np.nanmedian(np.linalg.norm(channel.values, axis=1)))
         for ratio, unit in UNITS:
             if 1.0 / UNIT_WIDTH < middle / GRAVITY / ratio < UNIT_WIDTH:
@@ -92,8 +106,33 @@ def refuse_units(recording: Recording) -> None:
                 f"{recording.path}: {channel.name}: |q| is {length:.4g} at the median, not 1: "
                 "these are no quaternions"
             )
+    for channel in recording.of(ARM_LENGTH):
+        if said := _length_problem(channel, arm_length):
+            problems.append(f"{recording.path}: {channel.name}: {said}")
     if problems:
         raise InputError(*problems)
+
+
+def _length_problem(channel: LogChannel, known: float | None) -> str:
+    """Why values cannot be lengths of arms, nor changes of them; empty if they can."""
+    usual = np.nanmedian(np.abs(channel.values), axis=0)
+    longest, shortest = float(np.nanmax(usual)), float(np.nanmin(usual))
+    if known is None:
+        if longest <= LONGEST_ARM:
+            return ""
+        than = f"no arm is longer than {LONGEST_ARM:g} m"
+    else:
+        than = f"the scenario's longest arm is {known:.4g} m"
+        if longest <= TIMES_AS_LONG * known:
+            is_less = known / UNIT_WIDTH < 1e3 * shortest and 1e3 * longest < known * UNIT_WIDTH
+            return (
+                f"lengths are {longest:.4g} m at the median, and {than}: the numbers are probably "
+                "metres already" if is_less else ""
+            )  # fmt: skip
+    units = {"mm": 1e-3, "cm": 1e-2, "um": 1e-6}
+    aim = 0.2 if known is None else known
+    unit = min(units, key=lambda name: abs(np.log(longest * units[name] / aim)))
+    return f"lengths are {longest:.4g} m at the median, and {than}: its unit is probably {unit}"
 
 
 def _usual_speed(channel: LogChannel) -> float:
@@ -119,8 +158,8 @@ def check_frames(recordings: Sequence[Recording]) -> list[FrameFinding]:
             offset = offset_of(home, attitude, gyro)
             found.append(_gyro_finding(attitude, gyro[1], offset))
         if accelerometer is not None and offset.correlation >= AGREED:
-            found.append(_up_finding(attitude, accelerometer[1], offset.seconds))
             position = _beside(home, attitude)
+            found.append(_up_finding(attitude, position, accelerometer[1], offset.seconds))
             if position is not None:
                 found.append(_bend_finding(attitude, position, accelerometer[1], offset.seconds))
     return list({one.name: one for one in reversed(found)}.values())[::-1]
@@ -136,7 +175,10 @@ def _best(recordings: Sequence[Recording], quantity: str) -> Home | None:
 
 
 def _attitudes(recordings: Sequence[Recording]) -> list[Home]:
-    return [(one, channel) for one in recordings for channel in one.of(ATTITUDE)]
+    return [
+        (one, channel) for one in recordings for channel in one.of(ATTITUDE)
+        if channel.name not in one.others
+    ]  # fmt: skip
 
 
 def _beside(home: Recording, attitude: LogChannel) -> LogChannel | None:
@@ -176,8 +218,13 @@ def quiet_samples(channel: LogChannel) -> Flags:
 
 def _resting(channel: LogChannel) -> FrameFinding:
     """Median specific force at rest, else of the whole flight: it is along +z."""
-    quiet = quiet_samples(channel)
+    quiet, falls = quiet_samples(channel), falls_freely(channel.values)
+    if falls:
+        quiet &= ~falling_samples(channel.values)
     at_rest = bool(quiet.any())
+    if falls and not at_rest:
+        text = "falls freely, and rests nowhere: gravity cannot be compared"
+        return FrameFinding(channel.name, True, text)
     mean = np.nanmedian(channel.values[quiet] if at_rest else channel.values, axis=0)
     size = float(np.linalg.norm(mean))
     error = size / GRAVITY - 1.0
@@ -259,23 +306,35 @@ def world_force(
     return accelerometer.times[inside], world_vectors(q, accelerometer.values[inside])
 
 
-def _up_finding(attitude: LogChannel, accelerometer: LogChannel, offset: float) -> FrameFinding:
-    """Mean specific force in the world's axes: up."""
+def _up_finding(
+    attitude: LogChannel, position: LogChannel | None, accelerometer: LogChannel, offset: float
+) -> FrameFinding:
+    """Specific force in the world's axes, less the bend of the track: up.
+
+    Without a track, a vehicle that leans also accelerates: its specific force is along its own z.
+    """
     names = f"{attitude.name} and {accelerometer.name}"
-    _, force = world_force(attitude, accelerometer, offset)
+    times, force = world_force(attitude, accelerometer, offset)
     if len(force) < 10:
         return FrameFinding(names, True, "overlap too little to compare")
-    mean = np.median(force, axis=0)
+    mean, most = np.median(force, axis=0), LEAN
+    if position is not None:
+        at, width, told = bends(position)
+        felt, whole = _triangle_means(accelerometer, times, force, at + offset, width)
+        if whole.sum() >= 10:
+            mean, most = np.median(felt[whole] - told[whole], axis=0), TILT
     size = float(np.linalg.norm(mean))
     tilt = float(np.arccos(np.clip(mean[2] / size, -1.0, 1.0))) if size else np.pi
-    if tilt < TILT:
+    if tilt < most:
         return FrameFinding(names, True, f"gravity is {np.degrees(tilt):.1f} deg off the vertical")
     k = int(np.argmax(np.abs(mean)))
     side = f"{'+' if mean[k] > 0.0 else '-'}{'xyz'[k]}"
+    why = "its world axes are not NWU, or its body axes are not those of the accelerometer"
+    if tilt < LEAN:
+        why = "the accelerometer is mounted askew, or the body's axes are"
     return FrameFinding(
         names, False,
-        f"the specific force is along the world's {side}, {np.degrees(tilt):.0f} deg off +z: its "
-        "world axes are not NWU, or its body axes are not those of the accelerometer",
+        f"the specific force is along the world's {side}, {np.degrees(tilt):.0f} deg off +z: {why}",
     )  # fmt: skip
 
 

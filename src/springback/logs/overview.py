@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.logs.clock_jumps import clock_jumps
 from springback.logs.clocks import timing
 from springback.logs.filter_check import untold_filter
 from springback.logs.frame_check import FrameFinding, check_frames, refuse_units
@@ -18,15 +19,18 @@ from springback.logs.recording import (
     ROTOR_COMMAND,
     ROTOR_SPEED,
     SPECIFIC_FORCE,
+    VELOCITY,
     LogChannel,
     Recording,
 )
-from springback.logs.segments import CONTACT, NEEDED, LogImpact, find_impacts
+from springback.logs.segments import CONTACT, NEEDED, LogImpact, find_impacts, has_drops
 
 #: TurnRates that are wanted [Hz] (chosen): of poses, rates of turn and rotors.
 POSE_RATE, GYRO_RATE, ROTOR_RATE = 100.0, 100.0, 50.0
 #: A vehicle that never turns faster nor deviates more from its median never moved (chosen).
 STILL_RATE, STILL_FORCE = 0.3, 2.0
+#: The same of a measured track [m], and of a velocity, which an autopilot may estimate [m/s].
+STILL_WAY, STILL_SPEED = 0.1, 0.5
 #: A low-pass below this hides a contact [Hz] (chosen).
 SLOWEST_FILTER = 100.0
 #: Profile of PX4's logger with high rates, vision and all samples of the accelerometer.
@@ -90,12 +94,16 @@ def _overview(recordings: Sequence[Recording]) -> Overview:
     return Overview(
         tuple(_log_words(one) for one in recordings),
         tuple(lines),
-        tuple(check_frames(recordings)),
+        (*check_frames(recordings), *_jump_findings(recordings)),
         tuple(missing_for_impact(recordings)),
         tuple(remarks),
         tuple(impacts),
         verdict(recordings, impacts),
     )
+
+
+def _jump_findings(recordings: Sequence[Recording]) -> list[FrameFinding]:
+    return [FrameFinding(one.channel, False, one.sentence) for one in clock_jumps(recordings)]
 
 
 def _log_words(one: Recording) -> str:
@@ -236,8 +244,18 @@ def blind_spots(recordings: Sequence[Recording]) -> list[str]:
 
 
 def never_moved(recordings: Sequence[Recording]) -> bool:
-    """True if no sensor ever left its median by much."""
+    """True if no sensor ever left its median by much, and no track nor velocity tells of motion."""
     seen = False
+    for one in recordings:
+        for channel in (*one.of(POSITION), *one.of(VELOCITY)):
+            if channel.is_lost.all() or channel.name in one.others:
+                continue
+            speeds = channel.quantity == VELOCITY
+            if speeds and np.nanmax(np.linalg.norm(channel.values, axis=1)) > STILL_SPEED:
+                return False
+            is_measured = not speeds and not channel.chain.estimated
+            if is_measured and np.nanmax(np.ptp(channel.values[~channel.is_lost], 0)) > STILL_WAY:
+                return False
     for quantity, limit in ((SPECIFIC_FORCE, STILL_FORCE), (ANGULAR_VELOCITY, STILL_RATE)):
         for channel in _measured(recordings, quantity):
             if len(channel.times) < 20:
@@ -256,10 +274,15 @@ def verdict(recordings: Sequence[Recording], impacts: Sequence[LogImpact]) -> st
         more = len(impacts) - len(usable)
         also = f", and {more} that {'are' if more > 1 else 'is'} refused" if more else ""
         return f"{len(usable)} impact{'s' if len(usable) > 1 else ''}{also}"
+    drop = ""
+    if has_drops(impacts, recordings):
+        drop = '; if this is a drop test, experiment = "drop" in a plan takes it'
     if impacts:
         why = impacts[0].refused
         many = f"{len(impacts)} impacts, all refused" if len(impacts) > 1 else "one impact, refused"
-        return f"{many}: {why}"
+        return f"{many}: {why}{drop}"
+    if drop:
+        return f"no impact from the side, but from above{drop}"
     if blind := blind_spots(recordings):
         return f"no impact, and this log could not have shown one: {'; '.join(blind)}"
     return "no impact"

@@ -28,6 +28,8 @@ DISORDER = 0.1
 LARGEST, LATEST = 1e9, 1e11
 #: Share of samples that may be impossible, as where a log is damaged (chosen).
 FEW = 0.01
+#: Format of tables of one's own, which a mapping file describes, axes included.
+MAPPED = "table with a mapping"
 
 
 class QuantityKind(NamedTuple):
@@ -140,6 +142,8 @@ class Recording:
     """Settings of the autopilot or of the motion capture, as they are in the log."""
     remarks: tuple[str, ...] = ()
     """What the reader saw and did, a sentence each."""
+    others: tuple[str, ...] = ()
+    """Channels of bodies that are not the vehicle."""
 
     def within(self, part: TimeSpan) -> Recording:
         """The recording in a part of the time.
@@ -160,9 +164,11 @@ class Recording:
         return replace(self, channels=tuple(found))
 
     def of(self, quantity: str) -> list[LogChannel]:
-        """Channels of a quantity, measured ones first, then the fastest."""
+        """Channels of a quantity: measured ones first, the vehicle's, then the fastest."""
         found = [one for one in self.channels if one.quantity == quantity]
-        return sorted(found, key=lambda one: (one.chain.estimated, -one.rate))
+        return sorted(
+            found, key=lambda one: (one.chain.estimated, one.name in self.others, -one.rate)
+        )
 
     def best(self, quantity: str) -> LogChannel | None:
         """The fastest measured channel of a quantity, else the fastest estimate; None if none."""

@@ -10,13 +10,13 @@ import numpy as np
 from springback.frames import euler_from_attitude
 from springback.logs.clocks import Offset, timing
 from springback.logs.frame_check import (
-    GRAVITY,
     bends,
     interpolated_attitudes,
     offset_of,
     world_force,
 )
 from springback.logs.frame_turns import world_vectors
+from springback.logs.free_fall import GRAVITY, begin_of_fall
 from springback.logs.impact_state import most_pressed, velocity_before
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
@@ -42,6 +42,12 @@ FORCE, DEVIATIONS, COMPRESSION = 15.0, 8.0, 5e-4
 SHARE = 0.05
 #: Evidence closer together than this is one impact [s] (chosen).
 DWELL = 0.08
+#: Drops: the vehicle falls below this specific force [m/s²], contacts further apart than this [s]
+#: are two, and a touch within this time [s] of an impact is its bounce unless its peak is so many
+#: times as high (chosen; the last leaves the jerk of a release alone).
+AIRBORNE, APART, BOUNCE, HIGHER = 3.0, 0.02, 1.0, 3.0
+#: Specific force of a vehicle that lies on the ground, at most [m/s²] (chosen).
+LYING = 12.0
 #: Part of a log that belongs to an impact: before touch, after it, and in contact times (chosen).
 BEFORE, AFTER, TIMES_AFTER = 0.3, 0.25, 3.0
 #: Correlation from which two clocks count as aligned, and slowest track that is used [Hz].
@@ -50,6 +56,12 @@ ALIGNED, SLOWEST_TRACK = 0.9, 30.0
 MOST_LOST, NEAR = 0.3, 0.5
 #: Vertical part of a normal from which it is a landing (chosen).
 LANDING = 0.8
+
+
+#: Evidence that is the most precise of touch and release.
+FELT = "specific force"
+#: Why an impact from above is no impact of a flight.
+LANDING_WORDS = "its normal points up: a landing"
 
 
 class LogImpact(NamedTuple):
@@ -70,6 +82,8 @@ class LogImpact(NamedTuple):
     velocity: tuple[float, float, float] | None = None  # just before touch, world [m/s]
     attitude: tuple[float, float, float] | None = None  # at touch: roll, pitch, yaw [rad]
     pressed: tuple[int, float] | None = None  # column of the arm pressed most, and by what [m]
+    is_drop: bool = False  # found as that of a drop test
+    following: float | None = None  # touch of the bounce after that of a drop [s]
 
 
 class _Candidate(NamedTuple):
@@ -97,7 +111,8 @@ def find_impacts(recordings: Sequence[Recording], *, drops: bool = False) -> lis
 
     Args:
         recordings: Logs of one flight.
-        drops: True for drop tests: the whole specific force counts, and normals that point up.
+        drops: True for drop tests: the whole specific force counts, and normals that point up;
+            bounces are refused.
     """
     sources = _sources(recordings)._replace(drops=drops)
     candidates: list[_Candidate] = []
@@ -105,10 +120,48 @@ def find_impacts(recordings: Sequence[Recording], *, drops: bool = False) -> lis
         candidates += _by_force(sources)
     for _, channel in sources.arms:
         candidates += _by_arms(channel)
-    for _, channel, offset in sources.tracks:
+    for log, channel, offset in sources.tracks:
+        if channel.name in log.others:
+            continue
         candidates += _by_track(channel, offset, drops)
-    merged = _merged(candidates)
-    return [_described(one, names, sources, recordings) for one, names in merged]
+    merged = _merged_drops(candidates) if drops else _merged(candidates)
+    found = [_described(one, names, sources, recordings) for one, names in merged]
+    return _without_bounces(found) if drops else found
+
+
+def has_drops(found: Sequence[LogImpact], recordings: Sequence[Recording]) -> bool:
+    """True if the impacts in logs are landings to a flight, and one is that of a drop test.
+
+    Without any, one from above counts if the vehicle fell freely before it.
+
+    Args:
+        found: Impacts in them, as those of a flight.
+        recordings: The logs.
+    """
+    if any(one.refused != LANDING_WORDS for one in found):
+        return False
+    drops = [one for one in find_impacts(recordings, drops=True) if not one.refused]
+    felt = _sources(recordings).accelerometer
+    if found or felt is None:
+        return bool(found and drops)
+    return any(begin_of_fall(felt[1], one.touch) is not None for one in drops)
+
+
+def _without_bounces(found: Sequence[LogImpact]) -> list[LogImpact]:
+    """Impacts of drops: those soon after another are refused, and end what belongs to it."""
+    kept: list[LogImpact] = []
+    first = 0.0
+    for one in found:
+        drop = one._replace(is_drop=True)
+        last = kept[-1] if kept else None
+        if last is not None and one.touch - last.release < BOUNCE:
+            kept[-1] = last._replace(following=one.touch)
+            if not one.peak > HIGHER * last.peak:
+                said = f"a bounce of the impact at {first:.3f} s: a drop's first touch is fitted"
+                drop = drop._replace(refused=said)
+        first = first if drop.refused else one.touch
+        kept.append(drop)
+    return kept
 
 
 def _sources(recordings: Sequence[Recording]) -> _Sources:
@@ -134,7 +187,8 @@ def _sources(recordings: Sequence[Recording]) -> _Sources:
                     continue
                 offset = told.seconds
             offsets.setdefault((id(one), channel.clock), offset)
-            attitudes.append((not channel.chain.estimated, channel, offset))
+            if channel.name not in one.others:
+                attitudes.append((not channel.chain.estimated, channel, offset))
     attitudes.sort(key=lambda entry: -entry[0])
     if best is not None:
         offsets.setdefault((id(best[0]), best[1].clock), 0.0)
@@ -144,6 +198,7 @@ def _sources(recordings: Sequence[Recording]) -> _Sources:
         if not channel.chain.estimated and channel.rate > SLOWEST_TRACK
         and (best is None or (id(one), channel.clock) in offsets)
     ]  # fmt: skip
+    tracks.sort(key=lambda entry: entry[1].name in entry[0].others)
     arms = [
         (one, channel) for one in recordings for channel in one.of(ARM_LENGTH)
         if best is None or (id(one), channel.clock) in offsets
@@ -167,12 +222,12 @@ def _horizontal(sources: _Sources) -> tuple[Array, Array]:
     return channel.times[known], np.linalg.norm(channel.values[known, :2], axis=1)
 
 
-def _runs(times: Array, marked: Any, source: str) -> list[_Candidate]:
+def _runs(times: Array, marked: Any, source: str, dwell: float = DWELL) -> list[_Candidate]:
     """Stretches of marked samples, those within the dwell time as one."""
     places = np.flatnonzero(marked)
     if not len(places):
         return []
-    apart = np.flatnonzero(np.diff(times[places]) > DWELL)
+    apart = np.flatnonzero(np.diff(times[places]) > dwell)
     firsts = places[np.concatenate([[0], apart + 1])]
     lasts = places[np.concatenate([apart, [len(places) - 1]])]
     return [
@@ -190,14 +245,20 @@ def _by_force(sources: _Sources) -> list[_Candidate]:
     middle = float(np.median(size))
     spread = float(np.median(np.abs(size - middle)))
     limit = max(FORCE, DEVIATIONS * spread)
-    found = []
-    for one in _runs(times, size > limit, "specific force"):
+    found = list[_Candidate]()
+    for one in _runs(times, size > limit, FELT, APART if sources.drops else DWELL):
         first, last = np.searchsorted(times, [one.touch, one.release])
-        floor = max(SHARE * float(size[first : last + 1].max()), middle + 3.0 * spread)
-        while first > 0 and size[first - 1] > floor:
+        share = SHARE * float(size[first : last + 1].max())
+        begin = end = max(share, middle + 3.0 * spread)
+        if sources.drops:  # from a fall, onto a ground that it may then lie on
+            begin, end = max(share, AIRBORNE), max(share, LYING)
+        while first > 0 and size[first - 1] > begin:
             first -= 1
-        while last < len(times) - 1 and size[last + 1] > floor:
+        while last < len(times) - 1 and size[last + 1] > end:
             last += 1
+        if found and float(times[first]) <= found[-1].release:  # one grew into the next
+            found[-1] = found[-1]._replace(release=float(times[last]))
+            continue
         found.append(_Candidate(float(times[first]), float(times[last]), one.source))
     if channel.clipped is not None:
         found += _runs(channel.times, channel.clipped.any(axis=1), "clipping")
@@ -234,10 +295,10 @@ def _merged(candidates: list[_Candidate]) -> list[tuple[_Candidate, tuple[str, .
     for one in sorted(candidates):
         if found and one.touch - found[-1][2] <= DWELL:
             before, names, end = found[-1]
-            precise = "specific force" in (before.source, one.source)
-            if one.source == "specific force" and before.source != "specific force":
+            precise = FELT in (before.source, one.source)
+            if one.source == FELT and before.source != FELT:
                 kept = one
-            elif precise and before.source == "specific force" != one.source:
+            elif precise and before.source == FELT != one.source:
                 kept = before
             else:
                 kept = before._replace(release=max(before.release, one.release))
@@ -246,6 +307,28 @@ def _merged(candidates: list[_Candidate]) -> list[tuple[_Candidate, tuple[str, .
         else:
             found.append((one, [one.source], one.release))
     return [(one, tuple(names)) for one, names, _ in found]
+
+
+def _merged_drops(
+    candidates: list[_Candidate],
+) -> list[tuple[_Candidate, tuple[str, ...]]]:
+    """Candidates of drops: each contact that is felt is one, and all else is evidence of these."""
+    felt = sorted(one for one in candidates if one.source == FELT)
+    names = [[FELT] for _ in felt]
+    apart = list[_Candidate]()
+    for one in candidates:
+        if one.source == FELT:
+            continue
+        near = [
+            k for k, each in enumerate(felt)
+            if one.touch < each.release + DWELL and one.release > each.touch - DWELL
+        ]  # fmt: skip
+        if not near:
+            apart.append(one)
+        elif one.source not in names[near[0]]:
+            names[near[0]].append(one.source)
+    known = [(one, tuple(words)) for one, words in zip(felt, names, strict=True)]
+    return sorted([*known, *_merged(apart)])
 
 
 def _described(
@@ -363,7 +446,7 @@ def _refusal(
         if near.any() and (share := float(track.is_lost[near].mean())) > MOST_LOST:
             return f"{100.0 * share:.0f} % of the frames of {track.name} around it are lost"
     if normal is not None and normal[2] > LANDING and not sources.drops:
-        return "its normal points up: a landing"
+        return LANDING_WORDS
     for (_, track, offset), (_, other, _) in _pairs(sources):
         close = _distance(track, other, one.touch - offset)
         if close < NEAR:

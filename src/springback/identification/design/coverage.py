@@ -2,7 +2,8 @@
 
 Each set is flown with the scenario's numbers as truth, the middle of each prior displaced by what
 the prior allows, the start displaced a little, and new noise; its readings go the way of a log's:
-impacts are found, noise is estimated, the fit searches from its starts.
+impacts are found, noise is estimated, the fit searches from its starts.  A start too near to the
+obstacle for that is moved back in time.
 """
 
 from __future__ import annotations
@@ -16,13 +17,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.batch.sampled import sampled_flights
 from springback.errors import InputError
 from springback.identification.fits import base_scenario, fields_of_plan, result_of
 from springback.identification.observations.likelihood import ImpactProblem
 from springback.identification.observations.windows import impact_window
 from springback.identification.settings import FitPlan
 from springback.identification.solving.fitting import ImpactFit, fit_impact
-from springback.identification.unknowns import Unknown
+from springback.identification.unknowns import Unknown, with_lists, with_values
 from springback.intervals import wilson
 from springback.logs.recording import Recording
 from springback.logs.segments import find_impacts
@@ -36,6 +38,9 @@ from springback.scenario.scenario import Scenario, scenario_from
 #: Displacement of the start along its velocity, at most [m] (chosen: several ticks), and bounds of
 #: the displacement of a prior's middle, in its deviations (chosen: nineteen of twenty truths).
 DISPLACED, WITHIN = 0.01, 2.0
+#: Time before touch that sets are flown for, at least: noise is estimated in it [s]; and that over
+#: which the acceleration of a start is taken [s] (chosen).
+LEAD, SHORT = 0.55, 0.01
 #: Share of the nominal cover of 95 % (chosen as in the acceptance of the design: 90 to 98 %).
 LEAST_COVER, MOST_COVER = 0.90, 0.98
 
@@ -72,6 +77,7 @@ class Coverage(NamedTuple):
     alarms: int  # sets with a misfit
     seconds: float  # of all fits
     latents: dict[str, float]  # median standard deviation [SI]
+    lead: float = 0.0  # time by which the start was moved back [s]
 
 
 class SyntheticFit(NamedTuple):
@@ -108,19 +114,73 @@ def check_coverage(
     """
     scenario, tables = base_scenario(plan, Path(folder))
     fields = fields_of_plan(plan, scenario)
-    outcome = fitted_set(plan, tables, fields, 0)
-    outcomes = [outcome]
+    flown, lead = with_lead(plan, at_centres(tables, fields, scenario))
+    outcomes = [fitted_set(plan, tables, fields, 0, truth=flown)]
     count = processes or os.cpu_count() or 1
     with ProcessPoolExecutor(count, mp_context=get_context("spawn")) as pool:
-        jobs = [(plan, tables, fields, seed) for seed in range(1, sets)]
+        jobs = [(plan, tables, fields, seed, flown) for seed in range(1, sets)]
         for one in pool.map(_job, jobs, chunksize=1):
             outcomes.append(one)
             progress(len(outcomes) / sets)
-    return coverage_of(fields, outcomes)
+    return coverage_of(fields, outcomes)._replace(lead=lead)
 
 
-def _job(given: tuple[FitPlan, dict[str, Any], list[Unknown], int]) -> SyntheticFit:
-    return fitted_set(*given)
+def _job(given: tuple[FitPlan, dict[str, Any], list[Unknown], int, Any]) -> SyntheticFit:
+    plan, tables, fields, seed, flown = given
+    return fitted_set(plan, tables, fields, seed, truth=flown)
+
+
+def at_centres(
+    tables: Mapping[str, Any], fields: Sequence[Unknown], scenario: Scenario
+) -> dict[str, Any]:
+    """Tables whose fields have the middles of their priors, which a plan may give by itself.
+
+    Args:
+        tables: Of the scenario, plain.
+        fields: Of the plan.
+        scenario: The same scenario.
+    """
+    whole = with_lists(tables, fields, scenario)
+    return with_values(whole, fields, [0.0] * len(fields))
+
+
+def with_lead(plan: FitPlan, tables: Mapping[str, Any]) -> tuple[dict[str, Any], float]:
+    """Tables whose flight has time enough before touch, and how far its start was moved back [s].
+
+    Without turning and under a constant thrust a vehicle is where it was with the acceleration that
+    it begins with; any other start is left as it is.
+
+    Args:
+        plan: Of the fit.
+        tables: Of the scenario, plain.
+    """
+    tables = dict(tables)
+    scenario = scenario_from(dict(tables))
+    start, given = scenario.start, tables.get("start", {})
+    turns = any(start.angular_velocity) or "shell_spin" in given or "compression" in given
+    piloted = scenario.reference is not None or scenario.pilot is not None
+    varies = isinstance(tables.get("thrust"), Mapping)
+    if plan.experiment == "drop" or turns or piloted or varies:
+        return tables, 0.0
+    found = find_impacts([_recorded(tables | {"sensors": tables.get("sensors", {})}, "start")])
+    touch = found[0].touch if found else LEAD
+    if not SHORT < touch < LEAD:
+        return tables, 0.0
+    bare = {key: value for key, value in tables.items() if key != "sensors"}
+    state = scenario.start_state()
+    position, velocity = np.array(state.position), np.array(state.velocity)
+    later = sampled_flights([bare], [0.0, SHORT]).vectors("velocity")[0, 1]
+    pull, lead = (later - velocity) / SHORT, LEAD - touch
+    moved = position - lead * velocity + 0.5 * lead**2 * pull - np.array(start.offset)
+    at = {key: value for key, value in given.items() if key != "touch_distance"}
+    at |= {"position": moved.tolist(), "velocity": (velocity - lead * pull).tolist()}
+    simulation = dict(tables.get("simulation", {}))
+    simulation["duration"] = scenario.simulation.duration + lead
+    return tables | {"start": at, "simulation": simulation}, lead
+
+
+def _recorded(tables: Mapping[str, Any], name: str) -> Recording:
+    return flight_recording(fly(scenario_from(dict(tables))), Path(name))
 
 
 def coverage_of(fields: Sequence[Unknown], outcomes: Sequence[SyntheticFit]) -> Coverage:
@@ -227,12 +287,15 @@ def synthetic_fits(
     Raises:
         InputError: If it cannot be flown, has no impact, or cannot be fitted.
     """
-    recording = flight_recording(fly(scenario_from(dict(flown))), Path(name))
+    recording = _recorded(flown, name)
     recording = recording if corrupt is None else corrupt(recording)
     drops = plan.experiment == "drop"
-    found = [one for one in find_impacts([recording], drops=drops) if not one.refused]
+    seen = find_impacts([recording], drops=drops)
+    found = [one for one in seen if not one.refused]
     if not found:
-        raise InputError(f"{name}: no impact was found")
+        refused = (f"impact at {one.touch:.3f} s: {one.refused}" for one in seen)
+        why = "; ".join(refused) or "no impact was found: the scenario's start hits nothing"
+        raise InputError(f"{name}: {why}")
     believed: Scenario = scenario_from(dict(tables))
     fits = []
     for impact in found:

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.identification.observations.channel_window import ChannelWindow
+from springback.identification.observations.drop_start import Fall
 from springback.logs.frame_turns import conjugate, product, rotation_vector, vector_quaternion
 from springback.logs.recording import ANGULAR_VELOCITY, ATTITUDE, POSITION, Array
 from springback.scenario.model import way_to_touch
@@ -25,6 +26,7 @@ class InitialState(NamedTuple):
     attitude: Array  # body to world, w, x, y, z
     angular_velocity: Array  # body [rad/s]
     tracked: bool  # a track tells the position, else the scenario
+    fallen: float = 0.0  # speed at touch of a drop from a known height, without a track [m/s]
 
     def displace(self, shift: Any) -> InitialState:
         """The guess with a latent's change, shape (12,): position, velocity, turn, rate."""
@@ -33,11 +35,12 @@ class InitialState(NamedTuple):
         return InitialState(
             self.position + shift[:3], self.velocity + shift[3:6],
             attitude / np.linalg.norm(attitude), self.angular_velocity + shift[9:12], self.tracked,
+            self.fallen,
         )  # fmt: skip
 
 
 def initial_state(
-    scenario: Scenario, readings: Sequence[ChannelWindow], touch: float
+    scenario: Scenario, readings: Sequence[ChannelWindow], touch: float, fall: Fall | None = None
 ) -> InitialState:
     """State at the start of the window, from the tracks before touch, else from the scenario.
 
@@ -45,6 +48,7 @@ def initial_state(
         scenario: Of the flight.
         readings: Of the impact.
         touch: In its window [s].
+        fall: From the scenario's start, in a drop test.
     """
     found = {one.quantity: one for one in readings}
     state = scenario.start_state()
@@ -61,6 +65,8 @@ def initial_state(
                 omega = np.nanmean(early, axis=0)
     if tracked is not None:
         position, velocity = tracked
+    elif fall is not None:
+        position, velocity = fall.before_touch(touch)
     elif (speed := float(np.linalg.norm(velocity))) > 0.0:
         way = float(way_to_touch(scenario.flight_model(), state))
         position = position + (way - speed * touch) * velocity / speed
@@ -69,7 +75,8 @@ def initial_state(
         unit, home = np.array(axis) / np.linalg.norm(axis), np.array(state.position)
         position = home + ((position - home) @ unit) * unit
         velocity = (velocity @ unit) * unit
-    return InitialState(position, velocity, attitude, omega, tracked is not None)
+    fallen = 0.0 if fall is None or tracked is not None else fall.speed
+    return InitialState(position, velocity, attitude, omega, tracked is not None, fallen)
 
 
 def _line(track: ChannelWindow | None, touch: float) -> tuple[Array, Array] | None:

@@ -108,18 +108,26 @@ class ImpactProblem:
 
     def _latents(self) -> list[Unknown]:
         plan, found = self.plan, list[Unknown]()
-        wide = 1.0 if self.impact.start.tracked else UNTRACKED
-        s = plan.start
+        start, s = self.impact.start, plan.start
+        wide = 1.0 if start.tracked or start.fallen else UNTRACKED
+        fall = self.scenario.world.gravity * s.height / start.fallen if start.fallen else 0.0
         if self.slider is None:
             for name, uncertainty, unit in (
                 ("position", s.position, "m"), ("velocity", s.velocity, "m/s"),
                 ("attitude", s.attitude, "rad"), ("angular velocity", s.angular_velocity, "rad/s"),
             ):  # fmt: skip
-                found += [latent(f"start {name} {a}", wide * uncertainty, unit) for a in _AXES]
+                found += [
+                    latent(
+                        f"start {name} {a}",
+                        fall if fall and (name, a) == ("velocity", "z") else wide * uncertainty,
+                        unit,
+                    )
+                    for a in _AXES
+                ]
             found.append(latent("thrust factor", plan.thrust, "", centre=1.0))
         else:
             found.append(latent("start position", wide * s.position, "m"))
-            found.append(latent("start velocity", wide * s.velocity, "m/s"))
+            found.append(latent("start velocity", fall or wide * s.velocity, "m/s"))
         names = {one.quantity: one for one in self.readings}
         sensors = plan.sensors
         for quantity, uncertainty, word, unit in (
@@ -351,7 +359,7 @@ class ImpactProblem:
         device = given.device_low_pass
         average = told.average if average is None else average
         imu = self.scenario.sensors.imu
-        if "sensors" in self.scenario.model_fields_set and not imu.perfect:
+        if has_sensors(self.scenario) and not imu.perfect:
             part = imu.accelerometer if is_force else imu.gyroscope
             full = part.full_scale if full is None else full
             if device is None and low is not None and order == 2:  # of the autopilot, behind it
@@ -362,7 +370,7 @@ class ImpactProblem:
     def resolution(self, one: ChannelWindow) -> Any:
         """Standard deviation of a count of the converter at each arm length [m]."""
         s = self.scenario
-        if "sensors" not in s.model_fields_set or s.sensors.hall.perfect:
+        if not has_sensors(s) or s.sensors.hall.perfect:
             return 0.0
         device = s.sensors.devices(1.0 / s.clock, s.vehicle).arm_length
         assert isinstance(device, HallSensors)
@@ -374,6 +382,12 @@ class ImpactProblem:
     def farthest(self) -> float:
         """Bound of every number."""
         return FARTHEST
+
+
+def has_sensors(scenario: Scenario) -> bool:
+    """True if a scenario's flights have sensors: those it gives, or the usual ones of a pilot."""
+    given = scenario.reference is not None or scenario.pilot is not None
+    return given or "sensors" in scenario.model_fields_set
 
 
 def open_loop(tables: Mapping[str, Any], impact: ImpactWindow) -> dict[str, Any]:

@@ -10,6 +10,7 @@ import numpy as np
 
 from springback.errors import InputError
 from springback.identification.observations.channel_window import ChannelWindow
+from springback.identification.observations.drop_start import Fall, fall_of
 from springback.identification.observations.initial_state import InitialState, initial_state
 from springback.identification.observations.noise import estimated_noise, white_noise
 from springback.identification.observations.sensor_chain import ChannelChain, noise_covariances
@@ -23,6 +24,8 @@ from springback.identification.settings import (
 from springback.logs.clocks import GAP, Offset
 from springback.logs.frame_check import bends, offset_of
 from springback.logs.frame_turns import conjugate, continuous, product, rotation_vector
+from springback.logs.free_fall import CLEAR as FALL_CLEAR
+from springback.logs.free_fall import begin_of_fall
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
     ARM_LENGTH,
@@ -46,6 +49,10 @@ FLOORS = {
 }  # fmt: skip
 #: Time before touch from which noise is estimated, and its distance from touch [s] (chosen).
 QUIET, CLEAR = 0.5, 0.01
+#: End of a window before the bounce that follows, and shortest fall before a drop [s] (chosen).
+BEFORE_BOUNCE, SHORTEST_FALL = 3e-3, 0.02
+#: Share by which the time of a fall may differ from that of the known height (chosen).
+DIFFERENT_FALL = 0.1
 #: Uncertainty of a clock that only the impact itself aligns [s] (chosen: a frame at 200 Hz).
 COARSE = 5e-3
 
@@ -117,7 +124,7 @@ def impact_window(
 
     Raises:
         InputError: If there is neither an accelerometer nor a track, or neither a track nor a
-            velocity of the scenario before touch.
+            velocity, nor a height of a drop, of the scenario before touch.
     """
     inertial = _inertial(recordings)
     tracks, uncertainty = _tracks(plan, recordings, inertial, impact, estimated=False)
@@ -133,18 +140,22 @@ def impact_window(
         used += _velocities(recordings, used)
     if not any(one.channel.quantity in (SPECIFIC_FORCE, POSITION) for one in used):
         raise InputError(f"{impact.log}: has neither an accelerometer nor a track to fit")
-    begin, end = _window(plan, used, impact)
+    fall = None
+    if impact.is_drop and not tracks:
+        fall = fall_of(scenario)
+    begin, end = _window(plan, used, impact, fall)
     readings = tuple(
         reading for one in used
         if (reading := _reading(plan, one, begin, end, impact, inertial)) is not None
     )  # fmt: skip
-    if not any(scenario.start.velocity) and not any(one.quantity == POSITION for one in readings):
+    is_told = fall is not None or any(scenario.start.velocity)
+    if not is_told and not any(one.quantity == POSITION for one in readings):
         raise InputError(
             f"{impact.log}: has no track before touch, and the scenario has no start.velocity to "
             "begin with"
         )
     touch, release = impact.touch - begin, impact.release - begin
-    guess = initial_state(scenario, readings, touch)
+    guess = initial_state(scenario, readings, touch, fall)
     told = logged_thrusts(scenario, recordings, (begin, end), impact.touch)
     thrust = None if told is None else told.table
     name = f"{impact.log} at {impact.touch:.3f} s"
@@ -233,17 +244,48 @@ def _shift(
     return 0.5 * (impact.touch + impact.release) - strongest, COARSE
 
 
-def _window(plan: WindowPlan, used: Sequence[_Found], impact: LogImpact) -> tuple[float, float]:
+def _window(
+    plan: WindowPlan, used: Sequence[_Found], impact: LogImpact, fall: Fall | None
+) -> tuple[float, float]:
     """Start and end of the part that is fitted [s], the start at a sample of the first channel."""
     contact = max(impact.release - impact.touch, 1e-3)
     after = plan.window.after
     end = impact.release + (max(3.0 * contact, 0.15) if after is None else after)
+    if impact.following is not None:
+        end = min(end, max(impact.following - BEFORE_BOUNCE, impact.release))
     first = used[0].channel.times + used[0].shift
     begin = max(impact.touch - plan.window.before, *(
         float(one.channel.times[0] + one.shift) for one in used
     ))  # fmt: skip
+    if impact.is_drop:
+        begin = max(begin, *_begins_of_fall(used[0], impact, fall))
     place = min(int(np.searchsorted(first, begin - 1e-9)), len(first) - 1)
     return float(first[place]), min(end, float(first[-1]))
+
+
+def _begins_of_fall(first: _Found, impact: LogImpact, fall: Fall | None) -> list[float]:
+    """Instants before which a vehicle was held [s], by its accelerometer and by the known height.
+
+    Raises:
+        InputError: If both are known and plainly differ.
+    """
+    latest, found = impact.touch - SHORTEST_FALL, list[float]()
+    felt = None
+    if first.channel.quantity == SPECIFIC_FORCE:
+        felt = begin_of_fall(first.channel, impact.touch)
+    if felt is not None:
+        found.append(felt)
+    if fall is not None:
+        found.append(impact.touch - fall.duration)
+        if felt is not None and felt > first.channel.times[0]:
+            fell = impact.touch - felt + FALL_CLEAR
+            if abs(fell - fall.duration) > FALL_CLEAR + DIFFERENT_FALL * fall.duration:
+                raise InputError(
+                    f"{impact.log}: {first.channel.name}: falls for {fell:.3f} s before the impact "
+                    f"at {impact.touch:.3f} s, but {fall.duration:.3f} s from the scenario's start "
+                    f"{fall.height:.4g} m above touch: start.position or start.velocity is wrong"
+                )
+    return [min(one, latest) for one in found] or [latest]
 
 
 def _reading(

@@ -189,7 +189,9 @@ def _read_off(
         number(predicted + lost + sigma * generator.standard_normal(predicted.shape)) - here
         for _ in range(DRAWS)
     ])  # fmt: skip
-    variance = float(np.nansum(slopes**2) + np.nanmean(draws**2))
+    draws = draws[~np.isnan(draws)]
+    scatter = float((draws**2).mean()) if len(draws) else np.nan  # nothing to be read off
+    variance = float(np.nansum(slopes**2)) + scatter
     return number(recorded), here, float(np.sqrt(variance))
 
 

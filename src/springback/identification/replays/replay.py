@@ -10,6 +10,7 @@ import numpy as np
 
 from springback.errors import InputError
 from springback.identification.observations.channel_window import ChannelWindow
+from springback.identification.observations.drop_start import fall_of, is_drop
 from springback.identification.observations.initial_state import InitialState, initial_state
 from springback.identification.observations.likelihood import ImpactProblem
 from springback.identification.observations.windows import (
@@ -19,6 +20,8 @@ from springback.identification.observations.windows import (
 from springback.identification.replays.features import ForceRise
 from springback.identification.replays.start import MeasuredStart, is_tracked, measured_start
 from springback.identification.settings import ClockFit, FitSensors, StartFit, WindowFit
+from springback.logs.clock_jumps import refuse_clock_jumps
+from springback.logs.frame_check import refuse_units
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
     ATTITUDE,
@@ -28,7 +31,7 @@ from springback.logs.recording import (
     Array,
     Recording,
 )
-from springback.logs.segments import LogImpact, find_impacts
+from springback.logs.segments import LogImpact, find_impacts, has_drops
 from springback.logs.thrusts import is_share, logged_thrusts
 from springback.scenario.code_files import with_absolute_names
 from springback.scenario.files import read_scenario
@@ -238,9 +241,12 @@ def replay(
             f"--before: must be above 0 s and at most {LONGEST:g} s (got {options.before:g} s)"
         )
     _check_order(scenario, options.rotors)
+    refuse_clock_jumps(recordings)
+    for one in recordings:
+        refuse_units(one, max(scenario.start_state().arm_length, default=None))
     names = ", ".join(str(one.path) for one in recordings)
-    found = find_impacts(recordings)
-    impact = _chosen(found, options.impact, names)
+    found = _impacts(scenario, tables, recordings)
+    impact = _chosen(found, options.impact, names)._replace(following=None)  # flown through it
     plan = ReplayPlan(WindowFit(before=options.before + max(options.before, 0.1), after=AFTER))
     read = impact_window(plan, scenario, recordings, impact, estimates=True)
     at = max(read.touch - options.before, 0.0)
@@ -250,8 +256,10 @@ def replay(
     if is_tracked(tracks, at, read.touch):
         otherwise = _given_start(scenario)
     else:
-        _check_given(scenario, tables, names)
-        otherwise = initial_state(scenario, part.readings, part.touch)
+        fall = fall_of(scenario) if impact.is_drop else None
+        if fall is None:
+            _check_given(scenario, tables, names)
+        otherwise = initial_state(scenario, part.readings, part.touch, fall)
     start = measured_start(tracks, at, read.touch, otherwise, plan.start, plan.sensors)
     told, warnings = _start_words(start, at, read, options), list[str]()
     begin = impact.touch - part.touch
@@ -259,7 +267,9 @@ def replay(
         scenario, recordings, (begin, begin + part.until), impact.touch, options.rotors
     )
     told.append(_thrust_words(scenario, tables, thrusts))
-    if any(tables.get(key) is not None for key in ("reference", "pilot")):
+    if impact.is_drop:
+        told.append("a drop: impacts from above count, and its bounces do not")
+    if _has_pilot(tables):
         told.append("the scenario's pilot is left out: flown open loop")
     part = part._replace(
         start=_on_slider(scenario, start.guess), thrust=None if thrusts is None else thrusts.table
@@ -308,6 +318,20 @@ def _check_order(scenario: Scenario, rotors: tuple[int, ...]) -> None:
         raise InputError(
             f"--rotors: must name {count} logged rotors, each once, from 1 (got {shown})"
         )
+
+
+def _has_pilot(tables: Mapping[str, Any]) -> bool:
+    return any(tables.get(key) is not None for key in ("reference", "pilot"))
+
+
+def _impacts(
+    scenario: Scenario, tables: Mapping[str, Any], recordings: Sequence[Recording]
+) -> list[LogImpact]:
+    """Impacts in logs; of a drop, if that is what the scenario or else the logs are."""
+    found = find_impacts(recordings)
+    if not _has_pilot(tables) and (is_drop(scenario) or has_drops(found, recordings)):
+        return find_impacts(recordings, drops=True)
+    return found
 
 
 def _chosen(found: Sequence[LogImpact], wanted: float | None, names: str) -> LogImpact:
@@ -397,7 +421,7 @@ def _thrust_words(scenario: Scenario, tables: Mapping[str, Any], thrusts: Any) -
         return "on the scenario's slider: thrusts do not matter"
     if thrusts is not None:
         return str(thrusts.sentence)
-    if any(tables.get(key) is not None for key in ("reference", "pilot")):
+    if _has_pilot(tables):
         return "no speeds nor commands of the rotors: they are assumed to hover"
     return "no speeds nor commands of the rotors: thrusts are those of the scenario"
 

@@ -18,6 +18,7 @@ from springback.logs.frame_turns import (
     vector_quaternion,
     world_vectors,
 )
+from springback.logs.free_fall import GRAVITY
 from springback.logs.recording import ANGULAR_VELOCITY, ATTITUDE, POSITION, SPECIFIC_FORCE, Array
 
 #: Fewest samples of a track, and distance from touch [s] (chosen).
@@ -103,6 +104,8 @@ def measured_start(
             by_clock[0:3] = -line.rate
     else:
         changes += _apart(0, plan.position) + _apart(3, plan.velocity)
+        if otherwise.fallen:
+            changes[5] = _change(5, GRAVITY * plan.height / otherwise.fallen)
     if turn is not None:
         guess = guess._replace(attitude=turn.attitude)
         drift = float(turn.line.deviations[1].max())

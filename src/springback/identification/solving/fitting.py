@@ -17,6 +17,11 @@ from springback.logs.recording import Array
 
 #: Half the width of starts, in deviations of the prior (chosen).
 SPREAD = 2.0
+#: Step from an optimum that is long, in standard errors, and most unknowns that are said to be at a
+#: bound (chosen).
+LONG, MOST_EDGES = 0.5, 3
+#: Times that a better optimum, found along the profiles, is taken before they are (chosen).
+SEARCHES = 4
 #: Costs of optima that count as one (chosen).
 SAME = 0.1
 
@@ -33,6 +38,7 @@ class ImpactFit(NamedTuple):
     agreeing: int  # starts that ended at this optimum
     starts: int
     seconds: float
+    bounds: tuple[str, ...] = ()  # what stops the optimum at the edge of what can be flown
 
     @property
     def name(self) -> str:
@@ -84,27 +90,37 @@ def fit_impact(
     least = float(rough.costs[best])
     agreeing = int((rough.costs < least + max(SAME, 1e-3 * least)).sum())
     found: dict[str, Profile] = {}
-    for _ in range(3):
+    unsettled = False
+    for turn in range(SEARCHES):
         slopes = _refuse_unflyable(problem, point)
         covariance = _inverse(slopes)
         if not profiles:
             break
-        found, better = profile_likelihoods(problem, point, cost, covariance, free)
-        if better is None:
+        known, better = profile_likelihoods(problem, point, cost, covariance, free)
+        unsettled = better is not None
+        if better is None or turn == SEARCHES - 1:
+            found = known
             break
         again = solve(problem, better[None], farthest=FARTHEST)
         point, cost = again.points[0], float(again.costs[0])
+    bounds = _edges(problem, point, slopes, covariance)
+    if unsettled:
+        bounds += (
+            f"along the profiles of {problem.impact.name} the cost falls on: its optimum and its "
+            "intervals are not settled; give more starts",
+        )
     seconds = time.perf_counter() - begun
     return ImpactFit(
-        problem, point, cost, slopes, covariance, found, agreeing, starts, seconds
+        problem, point, cost, slopes, covariance, found, agreeing, starts, seconds, bounds
     )  # fmt: skip
 
 
 def _refuse_unflyable(problem: ImpactProblem, point: Array) -> Array:
-    """Derivatives at a point, shape (rows, unknowns).
+    """Derivatives at a point, shape (rows, unknowns); of one side at the edge of what can be flown.
 
     Raises:
-        InputError: If a flight with another number of one unknown cannot be flown, with the reason.
+        InputError: If neither it nor a flight with another number of one unknown can be flown, with
+            the reason.
     """
     _, [slopes] = jacobians(problem, point[None], np.ones(len(point), dtype=bool))
     bad = np.flatnonzero(~np.isfinite(slopes).all(axis=0))
@@ -120,6 +136,47 @@ def _refuse_unflyable(problem: ImpactProblem, point: Array) -> Array:
             f"values of {name}: {why or 'it diverges'}; check obstacle, frames and units"
         )
     return np.asarray(slopes)
+
+
+def _edges(
+    problem: ImpactProblem, point: Array, slopes: Array, covariance: Array
+) -> tuple[str, ...]:
+    """Unknowns that the data would move beyond what a scenario accepts, in sentences.
+
+    The cost falls on from an optimum only where something stops it: a step of Gauss and Newton from
+    it is then long, and cannot be flown.
+
+    Args:
+        problem: Of the impact.
+        point: The optimum.
+        slopes: Derivatives there.
+        covariance: There.
+    """
+    here = problem(point[None])[0]
+    step = -covariance @ (slopes.T @ here)
+    step = np.clip(point + step, -FARTHEST, FARTHEST) - point
+    sizes = np.abs(step) / np.sqrt(np.diag(covariance))
+    if not sizes.max() > LONG:
+        return ()
+    found = list[str]()
+    for k in np.argsort(-sizes)[:MOST_EDGES]:
+        if sizes[k] < LONG:
+            break
+        other = point.copy()
+        other[k] += step[k]
+        if why := problem.refusal(other):
+            one = problem.unknowns[int(k)]
+            value = f"{float(one.value(point[k])):.5g} {one.unit}".strip()
+            found.append(
+                f"{one.name} is at the bound of what a scenario accepts, {value} in "
+                f"{problem.impact.name}, and the data would have it beyond: {why}"
+            )
+    if not found and (why := problem.refusal(point + step)):
+        found.append(
+            f"the optimum of {problem.impact.name} is at the bound of what a scenario accepts, and "
+            f"the data would have it beyond: {why}"
+        )
+    return tuple(found)
 
 
 def _inverse(slopes: Array) -> Array:

@@ -24,6 +24,8 @@ DAMPING, RAISED, MOST_DAMPING = 1e-3, 8.0, 1e10
 FACTORS = (0.2, 1.0, RAISED, RAISED**3)
 #: Rounds at most; a problem is solved once twice its cost falls by less than this (chosen).
 MOST_ROUNDS, ENOUGH = 40, 1e-4
+#: Rounds of small gain in which a problem seeks along the edge of what can be evaluated (chosen).
+EDGE_ROUNDS = 8
 #: A problem is given up while its cost is above the best by this after some rounds (chosen).
 HOPELESS, PATIENT_ROUNDS = 2e3, 6
 
@@ -47,8 +49,20 @@ def jacobians(evaluate: Residuals, points: Array, active: Any) -> tuple[Array, A
         active: Numbers that move, shape (numbers,); derivatives by others are zero.
 
     Returns:
-        Residuals, shape (points, rows), and Jacobians, shape (points, rows, numbers).
+        Residuals, shape (points, rows), and Jacobians, shape (points, rows, numbers): of the side
+        that can be evaluated if the other cannot, NaN if neither can.
     """
+    found = _differences(evaluate, points, active)
+    return found.residuals, found.slopes
+
+
+class _Differences(NamedTuple):
+    residuals: Array
+    slopes: Array
+    refused: Any  # numbers that cannot be larger, and smaller, shape (2, points, numbers)
+
+
+def _differences(evaluate: Residuals, points: Array, active: Any) -> _Differences:
     count, numbers = points.shape
     moving = np.flatnonzero(active)
     steps = np.zeros((2 * len(moving), numbers))
@@ -57,9 +71,15 @@ def jacobians(evaluate: Residuals, points: Array, active: Any) -> tuple[Array, A
     asked = np.concatenate([points[:, None], points[:, None] + steps[None]], axis=1)
     found = evaluate(asked.reshape(-1, numbers)).reshape(count, 1 + 2 * len(moving), -1)
     slopes = np.zeros((count, found.shape[2], numbers))
-    ahead, behind = found[:, 1 : 1 + len(moving)], found[:, 1 + len(moving) :]
-    slopes[:, :, moving] = ((ahead - behind) / (2.0 * DIFFERENCE)).transpose(0, 2, 1)
-    return found[:, 0], slopes
+    here, ahead, behind = found[:, :1], found[:, 1 : 1 + len(moving)], found[:, 1 + len(moving) :]
+    bad: Any = ~np.isfinite(np.stack([ahead, behind])).all(axis=3)
+    one_sided = np.where(bad[0][:, :, None], here - behind, ahead - here) / DIFFERENCE
+    either = (bad[0] | bad[1])[:, :, None]
+    told = np.where(either, one_sided, (ahead - behind) / (2.0 * DIFFERENCE))
+    slopes[:, :, moving] = told.transpose(0, 2, 1)
+    refused = np.zeros((2, count, numbers), dtype=bool)
+    refused[:, :, moving] = bad
+    return _Differences(found[:, 0], slopes, refused)
 
 
 def solve(
@@ -91,8 +111,8 @@ def solve(
     kept = np.zeros(numbers, dtype=bool) if held is None else np.asarray(held, dtype=bool)
     active = np.broadcast_to(~kept, points.shape)
     dampings = np.full(problems, damping)
-    residuals, slopes = jacobians(evaluate, points, active.any(axis=0))
-    costs = _costs(residuals)
+    residuals, slopes, edges = _differences(evaluate, points, active.any(axis=0))
+    costs, along_edge = _costs(residuals), np.zeros(problems, dtype=int)
     done = ~np.isfinite(costs)
     for turn in range(rounds):
         if together and turn >= PATIENT_ROUNDS:
@@ -102,7 +122,10 @@ def solve(
             break
         tries = dampings[open_ones, None] * np.array(FACTORS)
         asked = np.array([
-            [_step(points[k], residuals[k], slopes[k], one, active[k], farthest) for one in row]
+            [
+                _step(points[k], residuals[k], slopes[k], one, active[k], edges[:, k], farthest)
+                for one in row
+            ]
             for k, row in zip(open_ones, tries, strict=True)
         ])  # fmt: skip
         found = evaluate(asked.reshape(-1, numbers)).reshape(*asked.shape[:2], -1)
@@ -117,12 +140,20 @@ def solve(
                 moved.append(k)
             else:
                 dampings[k] = tries[row, -1] * RAISED
-            done[k] = (0.0 <= gain < enough) or dampings[k] > MOST_DAMPING
+            is_small = 0.0 <= gain < enough
+            if is_small and not np.isfinite(there[row]).all():
+                along_edge[k] += 1
+                is_small = along_edge[k] > EDGE_ROUNDS
+            done[k] = is_small or dampings[k] > MOST_DAMPING
         again = [k for k in moved if not done[k]]
         if again and turn + 1 < rounds:
-            residuals[again], slopes[again] = jacobians(
+            residuals[again], slopes[again], now = _differences(
                 evaluate, points[again], active[again].any(axis=0)
             )
+            for place, k in enumerate(again):
+                if (now[:, place] & ~edges[:, k]).any():  # what stops it no longer damps the rest
+                    dampings[k] = damping
+            edges[:, again] = now
     return Solution(points, costs, residuals, slopes, done & np.isfinite(costs))
 
 
@@ -132,10 +163,16 @@ def _costs(residuals: Array) -> Array:
 
 
 def _step(
-    point: Array, residuals: Array, slopes: Array, damping: float, active: Any, farthest: float
+    point: Array,
+    residuals: Array,
+    slopes: Array,
+    damping: float,
+    active: Any,
+    edges: Any,
+    farthest: float,
 ) -> Array:
     """The point after a damped step, within the bounds."""
-    free = np.asarray(active).copy()
+    free = np.asarray(active) & ~edges.all(axis=0)
     step = np.zeros_like(point)
     for _ in range(2):  # once more without those that a bound stops
         j = slopes[:, free]
@@ -144,9 +181,8 @@ def _step(
         gradient = j.T @ residuals
         step[:] = 0.0
         step[free] = -np.linalg.solve(square + damping * np.diag(scale), gradient)
-        stopped = free & (
-            ((point >= farthest) & (step > 0.0)) | ((point <= -farthest) & (step < 0.0))
-        )
+        up, down = (point >= farthest) | edges[0], (point <= -farthest) | edges[1]
+        stopped = free & ((up & (step > 0.0)) | (down & (step < 0.0)))
         if not stopped.any():
             break
         free &= ~stopped

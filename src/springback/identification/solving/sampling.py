@@ -16,10 +16,13 @@ from springback.extras import needs
 from springback.identification.solving.fitting import ImpactFit
 from springback.identification.unknowns import FARTHEST
 from springback.progress import Progress, silent
+from springback.random_streams import Purpose, stream
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 #: Points of the ensemble for each unknown, and fewest (chosen: emcee wants two at least).
 EACH, FEWEST = 2, 32
+#: Words of the state of emcee's generator.
+WORDS = 624
 #: Steps between two looks, and most (chosen).
 BLOCK, MOST = 100, 6000
 #: Rounds in which points are drawn anew that cannot be flown (chosen: of one in two, 1e-10 stay).
@@ -58,7 +61,7 @@ def posterior_sample(
         InputError: If emcee is not installed, or the chain is too short after `MOST` steps.
     """
     emcee = needs("emcee", "mcmc")
-    generator, numbers = np.random.default_rng(seed), len(fit.point)
+    generator, numbers = stream(seed, Purpose.SCATTER), len(fit.point)
     points = max(EACH * numbers + EACH * numbers % 2, FEWEST)
 
     def density(u: Array) -> Array:
@@ -77,7 +80,8 @@ def posterior_sample(
         raise InputError(f'method: "emcee" finds too few points of {fit.name} that can be flown')
     moves = [(emcee.moves.DEMove(), 0.8), (emcee.moves.DESnookerMove(), 0.2)]
     sampler = emcee.EnsembleSampler(points, numbers, density, vectorize=True, moves=moves)
-    sampler.random_state = np.random.RandomState(seed).get_state()
+    words = generator.integers(0, 2**32, WORDS, dtype=np.uint32)
+    sampler.random_state = ("MT19937", words, WORDS, 0, 0.0)  # it takes no other generator
     state: Any = begin
     for steps in range(BLOCK, MOST + 1, BLOCK):
         state = sampler.run_mcmc(state, BLOCK, skip_initial_state_check=True)

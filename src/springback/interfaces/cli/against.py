@@ -41,7 +41,7 @@ def replay_against(
         scenario: Its file.
         overrides: Of the scenario.
         logs: Of one flight.
-        reading: Fields of `springback.logs.reading.LogOptions`.
+        reading: Fields of `springback.logs.reading.LogOptions`, and the vehicle's ``track``.
         wanted: Fields of `springback.identification.replays.replay.ReplayOptions`.
 
     Raises:
@@ -50,9 +50,13 @@ def replay_against(
     from springback.identification.replays.errors import channel_errors, error_rows
     from springback.identification.replays.replay import ReplayOptions, replay, scenario_tables
     from springback.interfaces.cli.identify.logs import recordings_of
+    from springback.logs.vehicle_track import with_vehicle
 
+    reading = dict(reading)
     ready, tables = scenario_tables(scenario, overrides)
-    flown = replay(ready, tables, recordings_of(logs, **reading), ReplayOptions(**wanted))
+    track = reading.pop("track", None)
+    recordings = with_vehicle(recordings_of(logs, **reading), track)
+    flown = replay(ready, tables, recordings, ReplayOptions(**wanted))
     channels = channel_errors(flown)
     return ReplayTable(flown, channels, error_rows(flown, channels))
 
@@ -77,13 +81,17 @@ def against_text(told: ReplayTable) -> str:
 
     impact = told.flown.impact
     lines = [f"against {impact.log} at {impact.touch:.3f} s: {verdict(told.rows)}", ""]
-    lines += [*_instant_table(told.rows), "", *_read_off_table(told.rows)]
+    instants = _instant_table(told.rows)
+    lines += [*instants, ""] if instants else []
+    lines += _read_off_table(told.rows)
     return "\n".join([*lines, "", *told.flown.told])
 
 
 def _instant_table(rows: Sequence[ErrorRow]) -> list[str]:
-    """Errors at the instants, one line for each quantity."""
+    """Errors at the instants, one line for each quantity; nothing without one."""
     whole = [row for row in rows if row.part == "all" and row.wanted is not None]
+    if not whole:
+        return []
     instants = sorted({row.wanted for row in whole if row.wanted is not None})
     heads = ["at touch" if at == 0.0 else f"{1e3 * at:.0f} ms" for at in instants]
     table = [["error (uncertainty)", *heads]]

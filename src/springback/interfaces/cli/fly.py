@@ -13,7 +13,7 @@ import click
 from springback.errors import FlightWarning, InputError
 from springback.interfaces.cli.common import FIRST, PATH, Output, output_options, say
 from springback.interfaces.cli.completion import ScenarioPath, complete_code, complete_setting
-from springback.interfaces.cli.identify.logs import log_options
+from springback.interfaces.cli.identify.logs import log_options, track_option
 
 #: Names of options whose values are passed under others.
 _OPTIONS = {"first": "from", "last": "until"}
@@ -67,6 +67,7 @@ _OPTIONS = {"first": "from", "last": "until"}
     help="Move the start along its velocity, for touch to be when the log says.",
 )
 @log_options  # fmt: skip
+@track_option
 @output_options("Folder for summary.json, trajectory.parquet, figures.")
 def fly(
     scenario: Path,
@@ -147,7 +148,7 @@ def _fly_against(
     from springback.scenario.files import as_input
     from springback.scenario.scenario import scenario_from
 
-    reading = {name: given[name] for name in ("first", "last", "world", "body")}
+    reading = {name: given[name] for name in ("first", "last", "world", "body", "track")}
     before, impact = given["before"], given["impact"]
     wanted = {"rotors": rotor_order(given["rotors"]), "align": given["align"], "impact": impact}
     if before is not None:

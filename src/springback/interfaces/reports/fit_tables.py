@@ -12,6 +12,7 @@ from springback.identification.fits import FitResult
 from springback.identification.law_comparison import LawComparison
 from springback.identification.misfit import ChannelMisfit
 from springback.identification.observations.sensor_chain import ChannelChain
+from springback.identification.observations.windows import ImpactWindow
 from springback.identification.report.assumptions import MATTERS, Assumption
 from springback.identification.solving.fitting import ImpactFit
 from springback.identification.unknowns import Unknown
@@ -247,12 +248,18 @@ def experiment_rows(further: ExperimentPlan) -> Rows:
     ]
 
 
+def _contact(impact: ImpactWindow) -> str:
+    """Duration of a contact; a track alone tells none."""
+    duration = impact.release - impact.touch
+    return f"{1e3 * duration:.0f} ms" if duration > 0.0 else "–"
+
+
 def search_rows(fits: Sequence[ImpactFit]) -> Rows:
     """How each impact was searched."""
     return [
         [
             f"{k}: {fit.name}",
-            f"{1e3 * (fit.problem.impact.release - fit.problem.impact.touch):.0f} ms",
+            _contact(fit.problem.impact),
             f"{fit.agreeing} of {fit.starts}", len(fit.jacobian) - len(fit.point),
             fit.problem.flown, f"{fit.seconds:.1f} s",
         ]

@@ -13,6 +13,7 @@ from springback.logs.formats.text import NumberColumns, open_text, table_lines
 from springback.logs.frame_turns import BODIES, WORLDS, attitudes_in, vectors_in
 from springback.logs.recording import (
     ATTITUDE,
+    MAPPED,
     QUANTITIES,
     Array,
     Budget,
@@ -198,7 +199,8 @@ def read_mapped(path: Path, part: TimeSpan) -> Recording:
         columns = _text_columns(table, mapping, wanted, budget)
     channels = tuple(_channel(str(table), one, mapping.axes, columns, part)
                      for one in mapping.channels)  # fmt: skip
-    return Recording(table, "table with a mapping", channels)
+    axes = {"world": mapping.axes.world, "body": mapping.axes.body}
+    return Recording(table, MAPPED, channels, parameters=axes)
 
 
 def _text_columns(

@@ -160,6 +160,10 @@ def coverage_text(found: Coverage) -> str:
     lines += [f"  {len(found.failed)} sets could not be fitted, as: {found.failed[0]}"
               ] if found.failed else []  # fmt: skip
     lines.append(f"  {found.seconds / found.sets:.1f} s for each fit")
+    if found.lead:
+        lines.append(
+            f"  flown from {found.lead:.2f} s before the scenario's start, which is near to touch"
+        )
     return "\n".join(lines)
 
 

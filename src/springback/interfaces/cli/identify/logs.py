@@ -47,6 +47,13 @@ def log_options(command: Callable[..., None]) -> Callable[..., None]:
     return command
 
 
+track_option = click.option(
+    "--track", metavar="NAME",
+    help="The vehicle, of several bodies of a motion capture; by default the one that turns as the "
+    "gyroscope says.",
+)  # fmt: skip
+
+
 def recordings_of(logs: Sequence[Path], **given: Any) -> list[Recording]:
     """Recordings of logs, or of results of simulated flights.
 
@@ -57,20 +64,24 @@ def recordings_of(logs: Sequence[Path], **given: Any) -> list[Recording]:
     Raises:
         InputError: If one cannot be read.
     """
+    from springback.logs.axes_options import refuse_unused_axes
     from springback.logs.reading import LogOptions
     from springback.logs.writing.flight_recording import log_or_flight
 
     options = LogOptions(**given)
-    return [log_or_flight(path, options) for path in logs]
+    found = [log_or_flight(path, options) for path in logs]
+    refuse_unused_axes(found, options.world, options.body)
+    return found
 
 
 @identify.command()
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...", type=PATH)
 @log_options
+@track_option
 @terminal_options("as_json", "quiet")
 def inspect(
     logs: tuple[Path, ...], first: float | None, last: float | None, world: str | None,
-    body: str | None, terminal: Terminal,
+    body: str | None, track: str | None, terminal: Terminal,
 ) -> None:  # fmt: skip
     """Show what is in logs, and what is missing for an impact.
 
@@ -85,10 +96,16 @@ def inspect(
     """
     from springback.logs.axes_options import axes_options
     from springback.logs.overview import as_data, overview
+    from springback.logs.vehicle_track import chosen_track
 
-    recordings = recordings_of(logs, first=first, last=last, world=world, body=body)
+    chosen = chosen_track(
+        recordings_of(logs, first=first, last=last, world=world, body=body), track
+    )
+    recordings = chosen.recordings
     with terminal.spinner("comparing the channels"):
         found = overview(recordings)
+        said = [text for text in (chosen.problem, chosen.sentence) if text]
+        found = found._replace(remarks=(*said, *found.remarks))
         options = axes_options(recordings, world, body)
     text = _overview_text(found)
     if options:
@@ -99,10 +116,11 @@ def inspect(
 @identify.command()
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...", type=PATH)
 @log_options
+@track_option
 @terminal_options("as_json", "quiet")
 def segment(
     logs: tuple[Path, ...], first: float | None, last: float | None, world: str | None,
-    body: str | None, terminal: Terminal,
+    body: str | None, track: str | None, terminal: Terminal,
 ) -> None:  # fmt: skip
     """Find the impacts in logs: when, how strong, which way; or why one cannot be used.
 
@@ -112,9 +130,14 @@ def segment(
     springback identify segment flight.ulg
     springback identify segment flight.ulg take.csv --json
     """
+    from springback.logs.clock_jumps import refuse_clock_jumps
     from springback.logs.overview import as_data, overview
+    from springback.logs.vehicle_track import with_vehicle
 
-    recordings = recordings_of(logs, first=first, last=last, world=world, body=body)
+    recordings = with_vehicle(
+        recordings_of(logs, first=first, last=last, world=world, body=body), track
+    )
+    refuse_clock_jumps(recordings)
     with terminal.spinner("looking for impacts"):
         found = overview(recordings)
     if not found.impacts:
@@ -123,7 +146,7 @@ def segment(
     data = as_data(found)
     terminal.print(
         {"verdict": data["verdict"], "impacts": data["impacts"]},
-        "\n".join([found.verdict, *(_impact_text(one) for one in found.impacts)]),
+        "\n".join([found.verdict, *(impact_text(one) for one in found.impacts)]),
     )
 
 
@@ -186,7 +209,7 @@ def _overview_text(found: Overview) -> str:
     if found.remarks:
         lines += ["", "remarks", *(f"  {text}" for text in found.remarks)]
     if found.impacts:
-        lines += ["", "impacts", *(f"  {_impact_text(one)}" for one in found.impacts)]
+        lines += ["", "impacts", *(f"  {impact_text(one)}" for one in found.impacts)]
     return "\n".join(lines)
 
 
@@ -208,8 +231,11 @@ def _channel_lines(found: Overview) -> list[str]:
     ]
 
 
-def _impact_text(one: LogImpact) -> str:
-    words = [f"at {one.touch:.4f} s for {1e3 * (one.release - one.touch):.1f} ms"]
+def impact_text(one: LogImpact) -> str:
+    """An impact in a line."""
+    words = [f"at {one.touch:.4f} s"]
+    if one.release > one.touch:  # a track alone tells no more than an instant
+        words[0] += f" for {1e3 * (one.release - one.touch):.1f} ms"
     if one.velocity is not None:
         words.append(f"{math.hypot(*one.velocity):.2f} m/s before it")
     if one.attitude is not None:
