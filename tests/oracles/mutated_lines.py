@@ -49,8 +49,9 @@ BOUNDED = ("vehicle/test_mass_bounds.py", "")
 WEIGHED = ("scenario/masses/test_models.py", "mujoco or by_hand")
 WEIGHED_GEOMS = ("scenario/masses/test_geoms.py", "mujoco or by_hand")
 ANSWERED = ("interfaces/cli/test_new_vehicle.py", "asked_for or read_and or pilot or bad_answer_is")
-#: A shell beside two bodies, its power, and its bearings in flight.
+#: A shell beside two bodies and in Pinocchio, its power, and its bearings in flight.
 TURNS = ("dynamics/test_shell.py", "two_bodies or power or momentum or dry")
+IN_PINOCCHIO = ("dynamics/test_shell.py dynamics/test_spinning_ring.py", "pinocchio")
 RINGED = ("dynamics/test_spinning_ring.py", "two_bodies or power or momentum")
 #: Logs: turns of axes, clocks, impacts.
 FRAMES, CLOCKS = ("logs/test_frames.py", ""), ("logs/test_clocks.py", "")
@@ -244,6 +245,7 @@ MUTATED_LINES = (
     Mutation("hull, not in the clearance", CLEARANCE, "cages + tree_map(hull_gap, (airframe.hull,), (around.obstacles,))", "cages", HULL),
     Mutation("hull, friction unbounded", HULL_STATE, "alone = rate + hull.damper", "alone = rate + 0.0 * hull.damper", GRIP),
     Mutation("shell, bearing drives", SHELL, "(turned - bearing)", "(turned + bearing)", TURNS),
+    Mutation("shell, dry bearing drives", SHELL, "(hull.damping + dry)", "(hull.damping - dry)", IN_PINOCCHIO),
     Mutation("shell, nothing on the body", SHELL, "(about_centre - turned) + bearing", "(about_centre - turned)", TURNS),
     Mutation("shell, moment of its centre", SHELL, "hull.centre ^ contact.force", "contact.force ^ hull.centre", TURNS),
     Mutation("shell, turns with the body", SHELL, "((body.omega - spin) ^ hull.centre)", "((spin - body.omega) ^ hull.centre)", TURNS),
