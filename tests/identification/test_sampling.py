@@ -46,6 +46,9 @@ def test_draws_of_a_linear_fit_are_those_by_laplace() -> None:
     scale = np.outer(deviations, deviations)
     told = np.cov(found.draws.T) / scale
     assert told == pytest.approx(fit.covariance / scale, abs=0.08)
+    # Of several chains together: one whose moves are wrong is narrower in each.
+    spread = [posterior_sample(fit, seed=k, count=4000).draws.var(axis=0) for k in range(2, 7)]
+    assert np.mean(spread, axis=0) / deviations**2 == pytest.approx(1.0, abs=0.03)
     again = posterior_sample(fit, seed=1, count=4000)
     assert np.array_equal(again.draws, found.draws)
 

@@ -78,7 +78,9 @@ def posterior_sample(
             break
     else:
         raise InputError(f'method: "emcee" finds too few points of {fit.name} that can be flown')
-    moves = [(emcee.moves.DEMove(), 0.8), (emcee.moves.DESnookerMove(), 0.2)]
+    # Differences alone, at times a whole one, from mode to mode; emcee 3.1.6's snooker move draws
+    # variances of 0.6 of a normal distribution's.
+    moves = [(emcee.moves.DEMove(), 0.9), (emcee.moves.DEMove(gamma0=1.0), 0.1)]
     sampler = emcee.EnsembleSampler(points, numbers, density, vectorize=True, moves=moves)
     words = generator.integers(0, 2**32, WORDS, dtype=np.uint32)
     sampler.random_state = ("MT19937", words, WORDS, 0, 0.0)  # it takes no other generator
