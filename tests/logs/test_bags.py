@@ -191,6 +191,7 @@ def test_an_mcap_that_is_cut_off_is_read_as_far_as_it_goes(tmp_path: Path) -> No
     schema = writer.register_schema("geometry_msgs/msg/PoseStamped", "ros2msg", text.encode())
     number = writer.register_channel("/pose", "cdr", schema)
     other = writer.register_channel("/point", "cdr", writer.register_schema(kind, "ros2msg", b""))
+    text_imu = writer.register_channel("/imu", "json", 0)
     types = store.types
     for k in range(500):
         stamp = types["builtin_interfaces/msg/Time"](0, 10**6 * (k + 1))
@@ -204,13 +205,14 @@ def test_an_mcap_that_is_cut_off_is_read_as_far_as_it_goes(tmp_path: Path) -> No
         data = bytes(store.serialize_cdr(pose, "geometry_msgs/msg/PoseStamped"))
         writer.add_message(number, 10**6 * (k + 1), data, 0)
         writer.add_message(other, 10**6 * (k + 1), b"unread", 0)
+        writer.add_message(text_imu, 10**6 * (k + 1), b"{}", 0)
     writer.finish()
     path = tmp_path / "cut.mcap"
     path.write_bytes(stream.getvalue()[: len(stream.getvalue()) // 2])
     log = read_recording(path)
     assert 50 < len(log.channels[0].times) < 500
     assert "cut.mcap: is damaged, and what follows is lost" in log.remarks[0]
-    assert "not read: /point" in log.remarks
+    assert "not read: /imu (json), /point" in log.remarks
 
 
 @pytest.mark.parametrize(

@@ -56,6 +56,23 @@ def test_a_file_that_ezc3d_writes_is_read(tmp_path: Path) -> None:
     assert markers.values[5] == pytest.approx([1.0, 1.0, 1.0, 5.0, 1.0, 1.0])
 
 
+def test_analog_samples_are_passed_over_and_it_is_said(tmp_path: Path) -> None:
+    made = ezc3d.c3d()
+    made["parameters"]["POINT"]["RATE"]["value"] = [250.0]
+    made["parameters"]["POINT"]["UNITS"]["value"] = ["m"]
+    made["parameters"]["POINT"]["LABELS"]["value"] = ("A",)
+    made["parameters"]["ANALOG"]["RATE"]["value"] = [1000.0]
+    made["parameters"]["ANALOG"]["LABELS"]["value"] = ("F1", "F2")
+    points = np.ones((4, 1, 30))
+    points[1, 0] = np.arange(30)
+    made["data"]["points"] = points
+    made["data"]["analogs"] = np.full((1, 2, 120), 7.0)
+    made.write(str(tmp_path / "forces.c3d"))
+    log = read_recording(tmp_path / "forces.c3d")
+    assert log.channels[0].values[:, 1] == pytest.approx(np.arange(30.0))
+    assert log.remarks == ("has analog samples, 8 numbers a frame: they are not read",)
+
+
 def test_a_part_and_other_axes_are_read(tmp_path: Path) -> None:
     path = written(tmp_path, c3d())
     [markers] = read_recording(path, LogOptions(first=0.1, last=0.2, world="y-up")).channels

@@ -191,7 +191,8 @@ def _mcap_channel(
     if record.message_encoding in ("cdr", "ros1") and is_read(record.topic, name):
         definition = text if language in ("ros2msg", "ros1msg") else ""
         return (record.topic, name, record.message_encoding, definition)
-    others.add(record.topic)
+    coded = "" if record.message_encoding in ("cdr", "ros1") else f" ({record.message_encoding})"
+    others.add(record.topic + coded)
     return None
 
 

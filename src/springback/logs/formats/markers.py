@@ -80,6 +80,8 @@ def read_markers(path: Path, part: TimeSpan, world: str) -> Recording:
     remarks = []
     if len(frames) < counts - begin and not np.isfinite(part.last):
         remarks.append(f"ends after {len(frames)} of {counts} frames: it was cut off")
+    if analogs:
+        remarks.append(f"has analog samples, {analogs} numbers a frame: they are not read")
     values = np.stack(frames)
     places = values[..., :3] * (1.0 if scale < 0.0 else scale) * metres(unit, where)
     with np.errstate(invalid="ignore"):
