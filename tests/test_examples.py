@@ -223,9 +223,12 @@ class Reader:
             read_plan(plan)
             return
         tables = tomllib.loads(this.text)
-        if tables.keys() & {"free", "known", "compare"} or "accelerometer" in tables.get(
-            "sensors", {}
-        ):
+        if tables.keys() & {
+            "free",
+            "known",
+            "compare",
+            "experiment",
+        } or "accelerometer" in tables.get("sensors", {}):
             FitPlan.model_validate(
                 {"scenario": "a.toml", "free": {"start.roll": "+- 1 deg"}} | tables
             )

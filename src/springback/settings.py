@@ -51,7 +51,7 @@ Name = Annotated[str, AfterValidator(_name)]
 
 
 def none_for_false(value: Any) -> Any:
-    """None for False, which removes the table of a preset; for `BeforeValidator`."""
+    """None for False, which removes the table of a preset; for pydantic, before it validates."""
     return None if value is False else value
 
 
