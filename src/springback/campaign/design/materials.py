@@ -29,45 +29,45 @@ _BESIDE = ("field", "count", "step")
 class GuardSettings(Settings):
     """What meets an obstacle, of one material: its stiffness is derived from its shape."""
 
-    type: str
     material: str
     """Name of a material whose modulus is known."""
 
-    def of(self, young: float, poisson: float) -> float:
-        """Stiffness for a modulus [Pa] and Poisson's ratio [N/mⁿ]."""
-        raise NotImplementedError
 
+class GuardOfRod(GuardSettings):
+    """A guard that is made of a rod or tube."""
 
-class RingGuard(GuardSettings):
-    """A ring of a rod or tube, pressed across a diameter."""
-
-    type: Literal["ring"]
     rod: Length
     """Outer diameter of the rod."""
     inner: Annotated[float, Unit("m", least=0.0)] = 0.0
     """Inner diameter of a tube."""
+
+    def section(self) -> float:
+        """Second moment of area of its cross section [m⁴]."""
+        return rod_second_moment(self.rod, self.inner)
+
+
+class RingGuard(GuardOfRod):
+    """A ring of a rod or tube, pressed across a diameter."""
+
+    type: Literal["ring"]
     radius: Length
     """Of the ring, to the middle of the rod."""
 
     def of(self, young: float, poisson: float) -> float:
         """Stiffness for a modulus [Pa] and Poisson's ratio [N/m]."""
-        return ring_stiffness(young, rod_second_moment(self.rod, self.inner), self.radius)
+        return ring_stiffness(young, self.section(), self.radius)
 
 
-class CantileverGuard(GuardSettings):
+class CantileverGuard(GuardOfRod):
     """A rod or tube that is clamped at one end and pressed at the other."""
 
     type: Literal["cantilever"]
-    rod: Length
-    """Outer diameter of the rod."""
-    inner: Annotated[float, Unit("m", least=0.0)] = 0.0
-    """Inner diameter of a tube."""
     length: Length
     """From the clamp to the free end."""
 
     def of(self, young: float, poisson: float) -> float:
         """Stiffness for a modulus [Pa] and Poisson's ratio [N/m]."""
-        return cantilever_stiffness(young, rod_second_moment(self.rod, self.inner), self.length)
+        return cantilever_stiffness(young, self.section(), self.length)
 
 
 class ShellGuard(GuardSettings):
@@ -188,7 +188,7 @@ def _of_guard(table: Any) -> list[Any]:
     return [("stiffness", span), ("exponent", {"values": [exponent_of(guard)]})]
 
 
-def exponent_of(guard: GuardSettings) -> float:
+def exponent_of(guard: AnyGuard) -> float:
     """Exponent of the contact of a guard: that of Hertz for a sphere, else 1."""
     return 1.5 if isinstance(guard, SphereGuard) else 1.0
 
