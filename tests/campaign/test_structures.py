@@ -32,6 +32,14 @@ LAWS: tuple[dict[str, Any], ...] = (
     {"law": "impulse", "restitution": 0.4},
     {"law": "hertz", "friction_axes": "vertical"},
 )
+REMEMBERING: tuple[dict[str, Any], ...] = (
+    {"friction_law": "bristle"},
+    {"law": "hertz", "exponent": 2.0, "stiffness": 1e7, "friction_law": "bristle"},
+    {"law": "constant-restitution", "restitution": 0.5},
+    {"law": "foam", "stiffness": 3e4, "plateau_force": "150 N", "densification_depth": "30 mm",
+     "restitution": 0.3},
+    {"law": "table", "loading": [[0.0, 0.0], [0.01, 50.0], [0.02, 200.0]], "restitution": 0.3},
+)  # fmt: skip
 PLANE: dict[str, Any] = {"type": "wall", "distance": 20.0, "surface": "wall"}
 
 
@@ -64,11 +72,14 @@ def test_all_worlds_of_shapes_at_rest_are_one_structure() -> None:
     assert len(structures(flights)) == 1
 
 
-def test_bristles_are_a_second_one() -> None:
-    """Whatever holds them, a plane included."""
-    held = [obstacle(name, friction_law="bristle") for name in ("pole", "box", "mesh")]
-    flights = [throw(one) for one in held]
-    flights.append(throw({**PLANE, "surface": {"preset": "wall", "friction_law": "bristle"}}))
+def test_contacts_with_a_memory_are_a_second_one() -> None:
+    """Bristles and laws that remember the deepest depth, whatever has them, a plane included."""
+    flights = [throw(obstacle(name, **law)) for name in ("pole", "mesh") for law in REMEMBERING]
+    flights += [
+        throw({**PLANE, "surface": {"preset": "wall", **law}}, obstacle("box", **other))
+        for law in REMEMBERING
+        for other in REMEMBERING
+    ]
     assert len(structures(flights)) == 1
     assert len(structures([*flights, throw(obstacle("pole"))])) == 2
 
@@ -122,18 +133,19 @@ def moving(count: int) -> list[dict[str, Any]]:
 
 
 def test_what_moves_is_two_structures() -> None:
-    """Up to two obstacles, and up to eight; other shapes, motions and laws are the same."""
+    """Up to two obstacles, and up to eight; other shapes, motions and laws are the same.
+
+    Where a contact has a memory, few are as many.
+    """
     few = [throw(*moving(1)), throw(*moving(2), PLANE), throw(*moving(1), obstacle("stairs"))]
     many = [throw(*moving(count)) for count in (3, 5, 8)]
+    many += [throw(*moving(1), obstacle("box", **law)) for law in REMEMBERING]
     assert len(structures(few)) == len(structures(many)) == 1
     assert len(structures([*few, *many])) == 2
 
 
 def test_what_is_compiled_ahead_serves_every_scene_of_the_presets() -> None:
-    """With `springback doctor --compile` no scene of built-in shapes has to be compiled again.
-
-    But one with bristles, or with more than two obstacles that move.
-    """
+    """With `springback doctor --compile` no scene of built-in shapes has to be compiled again."""
     ahead = {one.kind.key for one in kinds_of(COMMON)}
     assert len(ahead) == 2 * len(COMMON)
     pilot, recovers = (
@@ -141,7 +153,10 @@ def test_what_is_compiled_ahead_serves_every_scene_of_the_presets() -> None:
     )
     ground = {"type": "ground", "surface": "wall"}
     worlds = [[obstacle(name)] for name in ALL]
-    worlds += [[{**PLANE, "surface": {"preset": "wall", **law}}] for law in LAWS]
+    laws = (*LAWS, *REMEMBERING)
+    worlds += [[{**PLANE, "surface": {"preset": "wall", **law}}] for law in laws]
+    worlds += [[*moving(count), obstacle("box", **law)] for law in REMEMBERING for count in (1, 2)]
+    worlds += [[*moving(count), obstacle("stairs")] for count in range(3, 9)]
     worlds += [[PLANE, ground], [PLANE, PLANE, ground], [*moving(1), ground], [*moving(2), PLANE]]
     for world in nonempty(worlds):
         there = {"world": {"obstacles": world}}
@@ -151,10 +166,35 @@ def test_what_is_compiled_ahead_serves_every_scene_of_the_presets() -> None:
                 assert kind.key in ahead, world
 
 
+REFERENCES: tuple[dict[str, Any], ...] = (
+    {"type": "hold"},
+    {"type": "steps"},
+    {"type": "steps", "positions": [[0.1 * k, 0.0, 1.0] for k in range(12)]},
+    {"type": "waypoints", "positions": [[0.5 * k, 0.0, 1.0] for k in range(13)], "duration": 30.0},
+    {"type": "run-up", "speed": "2 m/s", "pitch": "-20 deg", "begins": "1 s"},
+)
+
+
+@pytest.mark.parametrize("reference", REFERENCES, ids=lambda one: one["type"])
+def test_a_pilot_compiles_nothing_for_another_reference(reference: dict[str, Any]) -> None:
+    """In whatever world, up to twelve set-points or segments; a circle is one of its own."""
+    ahead = {one.kind.key for one in kinds_of(COMMON)}
+    worlds = [[], [PLANE], [obstacle("pole")], [*moving(1)], [*moving(4)]]
+    for world in nonempty(worlds):
+        flown = {"vehicle": "arq", "reference": reference, "world": {"obstacles": world}}
+        for more in ({}, {"recovery": {}}):
+            for alone in (True, False):
+                [kind] = flight_kinds([{**flown, **more}], alone=alone)
+                assert kind.key in ahead, world
+
+
 def test_examples_among_shapes_are_compiled_ahead() -> None:
     """With their pilots, recoveries and settings of these, if the vehicle's hull is a preset's."""
     ahead = {one.kind.key for one in kinds_of(COMMON)}
-    for name in ("pole", "window", "doorway", "forest", "imported_world", "door"):
+    for name in (
+        "arq_wall", "collision", "run_up", "steps", "drop", "pole", "window", "doorway", "forest",
+        "imported_world", "door", "swinging_ball",
+    ):  # fmt: skip
         tables = as_scenario(EXAMPLES / f"{name}.toml").model_dump(exclude_unset=True)
         [kind] = flight_kinds([tables], alone=True)
         assert kind.key in ahead, name

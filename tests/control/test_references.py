@@ -10,16 +10,17 @@ import pytest
 from pydantic import TypeAdapter, ValidationError
 
 from springback.control.demands import Limits
-from springback.control.polynomials import through
+from springback.control.polynomials import LENGTHS, set_points, through
 from springback.control.reference_parameters import CircleSettings, ReferenceSettings, StepsSettings
-from springback.control.references import Circle, Hold, SetPoint, Steps, Switch
+from springback.control.references import Circle, Switch
 from springback.control.target import Target, target
+from springback.kernels.layout import structure
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Vec, norm
 
 LIMITS = Limits(mass=1.41, gravity=9.81, max_thrust=27.5)
-HOLD = Hold(Vec(0.5, -1.0, 2.0), 0.3)
-STEPS = Steps((SetPoint(0.0, Vec(0.0, 0.0, 1.0), 0.0), SetPoint(5.0, Vec(1.0, 0.0, 1.0), 0.2)))
+HOLD = set_points([Vec(0.5, -1.0, 2.0)], yaw=0.3)
+STEPS = set_points([Vec(0.0, 0.0, 1.0), Vec(1.0, 0.0, 1.0)], dwell=5.0, yaw=0.2)
 CIRCLE = Circle(Vec(0.1, 0.2, 1.0), 1.0, 2.0, 0.4, 0.5, 0.0, 0.1)
 RAMPED = CIRCLE._replace(ramp=1.5, rate=-2.0)
 WAYPOINTS = through(
@@ -94,6 +95,30 @@ def test_steps_change_at_their_times() -> None:
     assert seen == [places[k] for k in (0, 0, 1, 1, 2, 3, 3)]
 
 
+@pytest.mark.parametrize("count", [1, 2, LENGTHS[0], LENGTHS[0] + 1, 100])
+def test_set_points_are_exact_at_rest_and_for_ever(count: int) -> None:
+    """As what they replace was: position and yaw as given, to the last bit, and no motion."""
+    places = [Vec(0.1 * k, -0.3 * k, 1.0 + 0.7 * k) for k in range(count)]
+    reference = set_points(places, dwell=0.3, yaw=0.7)
+    for t in np.linspace(-1.0, 0.3 * count + 3.0, 4001):
+        now = target(reference, float(t))
+        passed = sum(1 for k in range(count) if k * 0.3 <= t)
+        assert now.position == places[max(passed - 1, 0)]
+        assert leaves(now._replace(position=Vec(0, 0, 0))) == [0.0] * 12 + [0.7, 0.0]
+
+
+def test_references_have_few_structures() -> None:
+    """Whatever they are: holds, steps, way-points and run-ups, up to twelve segments, are one."""
+    few = [set_points([Vec(0.0, 0.0, 1.0)] * count) for count in range(1, LENGTHS[0] + 1)]
+    corners = [[k, k % 2, 1] for k in range(LENGTHS[0] + 1)]
+    few += [through(corners[:count], LIMITS, duration=20.0) for count in range(2, len(corners) + 1)]
+    run_up = {"type": "run-up", "speed": "2 m/s", "pitch": "-45 deg"}
+    few.append(SETTINGS.validate_python(run_up).reference(LIMITS, lambda _: 0.3))
+    assert len({structure(one) for one in few}) == 1
+    many = {structure(set_points([Vec(0.0, 0.0, 1.0)] * count)) for count in range(13, 101)}
+    assert len(many) == len(LENGTHS) - 1
+
+
 def test_then_switches_at_its_time() -> None:
     both = Switch(HOLD, 2.0, CIRCLE)
     assert target(both, 1.9999) == target(HOLD, 0.0)
@@ -156,4 +181,4 @@ def test_bad_settings_are_refused_in_words(name: str) -> None:
 def test_settings_give_references_of_the_right_kind() -> None:
     given = {"type": "hold", "position": ["10 cm", 0, "1 m"], "yaw": "90 deg"}
     hold = SETTINGS.validate_python(given).reference(LIMITS, lambda _: 0.0)
-    assert hold == Hold(Vec(0.1, 0.0, 1.0), math.pi / 2)
+    assert hold == set_points([Vec(0.1, 0.0, 1.0)], yaw=math.pi / 2)

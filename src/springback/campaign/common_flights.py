@@ -7,6 +7,7 @@ scenarios, and they can be compiled before the first is flown.
 
 from __future__ import annotations
 
+import itertools
 import os
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wait
@@ -26,6 +27,7 @@ _POLE: dict[str, Any] = {
     "type": "pole", "position": ["2.85 m", 0, 0], "radius": "10 cm", "surface": "wall",
 }  # fmt: skip
 _SLIDING: dict[str, Any] = {**_POLE, "motion": {"type": "constant", "velocity": ["1 m/s", 0, 0]}}
+_HOLDING: dict[str, Any] = {**_POLE, "surface": {"preset": "wall", "friction_law": "bristle"}}
 _THROWN: dict[str, Any] = {
     "vehicle": "arq", "thrust": "hover",
     "start": {"position": ["2.3 m", 0, "1 m"], "velocity": ["2 m/s", 0, 0]},
@@ -41,19 +43,26 @@ _FLIGHTS: dict[str, dict[str, Any]] = {
     "a pilot's flight": _FLOWN,
     "a recovery": {**_FLOWN, "recovery": {}},
 }
-#: In this order two processes compile them soonest: the second comes to shapes that move when the
-#: first has the search of scenes, and both at last to what the reproduction compiled meanwhile.
 _WORLDS: dict[str, list[dict[str, Any]]] = {
     "among shapes": [_POLE],
     "at a wall above the ground": [_WALL, _GROUND],
-    "among shapes of which some move": [_POLE, _SLIDING],
+    "among shapes of which two move": [_POLE, _SLIDING],
     "at a wall": [_WALL],
+    "among shapes of which many move": [_HOLDING, _SLIDING],
+    "among shapes with bristles": [_HOLDING],
 }
+_ALL, _GUIDED, _THROWN_ONLY = tuple(_FLIGHTS), tuple(_FLIGHTS)[1:], tuple(_FLIGHTS)[:1]
+#: In this order two processes compile them soonest: the second comes to shapes that move when the
+#: first has the search of scenes, and both at last to what is rarest, in equal shares.
+_ORDER = (
+    *((where, _ALL) for where in tuple(_WORLDS)[:4]),
+    *((where, flights) for flights in (_GUIDED, _THROWN_ONLY) for where in tuple(_WORLDS)[4:]),
+)
 #: Scenarios of the common kinds, by what they are.
 COMMON: dict[str, dict[str, Any]] = {
-    f"{flight} {where}": {**tables, "world": {"obstacles": obstacles}}
-    for where, obstacles in _WORLDS.items()
-    for flight, tables in _FLIGHTS.items()
+    f"{flight} {where}": {**_FLIGHTS[flight], "world": {"obstacles": _WORLDS[where]}}
+    for where, flights in _ORDER
+    for flight in flights
 }
 
 
@@ -89,7 +98,8 @@ def kinds_of(scenarios: Mapping[str, Mapping[str, Any]]) -> list[NamedKind]:
 def compile_ahead(scenarios: Mapping[str, Mapping[str, Any]]) -> Iterator[CompiledKind]:
     """Compile the kinds of flight of some scenarios, side by side on all processors.
 
-    What flies in the same world shares most of what is compiled, so one process takes it all.
+    What flies in the same world shares most of what is compiled: one process takes scenarios that
+    follow each other there.
 
     Args:
         scenarios: By name.
@@ -117,11 +127,9 @@ def compile_ahead(scenarios: Mapping[str, Mapping[str, Any]]) -> Iterator[Compil
 
 
 def _by_world(scenarios: Mapping[str, Mapping[str, Any]]) -> list[dict[str, Mapping[str, Any]]]:
-    """Scenarios in groups of the same world."""
-    groups: dict[str, dict[str, Mapping[str, Any]]] = {}
-    for name, tables in scenarios.items():
-        groups.setdefault(repr(tables.get("world")), {})[name] = tables
-    return list(groups.values())
+    """Neighbours of the same world, in groups."""
+    groups = itertools.groupby(scenarios.items(), lambda item: repr(item[1].get("world")))
+    return [dict(members) for _, members in groups]
 
 
 def _report_to(compiled: Any) -> None:

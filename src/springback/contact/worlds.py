@@ -60,6 +60,7 @@ def obstacles(
     *,
     as_scene: bool = False,
     numbers: Sequence[int] = (),
+    remembers: bool = False,
 ) -> tuple[Obstacle, ...] | SolidScene | MovingScene:
     """Numbers of all obstacles; if there are none, a face out of reach.
 
@@ -68,12 +69,13 @@ def obstacles(
         own: The user's own shapes.
         as_scene: True makes a scene of planes alone, too.
         numbers: Number in the world of each, from 0; by default in their order.
+        remembers: True if a hull that meets them has a surface with a memory.
 
     Raises:
         The problem, if there are too many.
     """
     if any(_moves(entry) for entry in settings):
-        return _moving_scene(settings, own, numbers or range(len(settings)))
+        return _moving_scene(settings, own, numbers or range(len(settings)), remembers)
     laws = [law for entry in settings for law in surfaces_of(entry)] + [law for _, law in own]
     planes = [entry for entry in settings if not isinstance(entry, ShapeSettings)]
     all_faces: list[tuple[Any, SurfaceSettings, float]] = []
@@ -81,7 +83,8 @@ def obstacles(
     few = len(planes) == len(settings) and len(all_faces) <= MOST_PLANES
     known = bool(own) or all(map(_is_common, laws))
     if as_scene or not few or not known or any(map(_has_memory, laws)):
-        return _scene(settings, own)
+        built = _scene(settings, own)
+        return built._replace(remembers=1.0) if remembers else built
     all_faces += _own_faces(own)
     common = all(surface.exponent_value() == 1.5 for _, surface, _ in all_faces)
     exponent = ThreeHalves if common else AnyExponent
@@ -113,9 +116,9 @@ def _moves(entry: BuiltIn) -> bool:
 
 
 def _moving_scene(
-    settings: Sequence[BuiltIn], own: Sequence[Own], numbers: Sequence[int]
+    settings: Sequence[BuiltIn], own: Sequence[Own], numbers: Sequence[int], hulls: bool
 ) -> MovingScene:
-    """World in which some obstacles move."""
+    """World in which some obstacles move; ``hulls``: a hull that meets them has a memory."""
     still = _scene([entry for entry in settings if not _moves(entry)], own)
     if any(_is_impulsive(entry) for entry in settings):
         raise problem(
@@ -137,7 +140,7 @@ def _moving_scene(
     surfaces = [surface for one in moving for surface in one.surfaces]
     if any(surface.presliding > 0.0 for surface in surfaces):
         still = still._replace(bristles=1.0)
-    if any(map(remembers, surfaces)):
+    if hulls or any(map(remembers, surfaces)):
         still = still._replace(remembers=1.0)
     return moving_scene(still, moving)
 

@@ -4,7 +4,6 @@ The curve of least ∫ |d⁴x/dt⁴|² through way-points at given times is the 
 knots there and six continuous derivatives (the natural Euler–Lagrange and corner conditions of that
 integral), its first three derivatives clamped at both ends.  SciPy solves for splines as a banded
 system in the B-spline basis, so no quadratic programme is needed.
-system in the B-spline basis, so no quadratic programme is written here.
 """
 
 from __future__ import annotations
@@ -35,6 +34,9 @@ from springback.kernels.vectors import Vec
 DEGREE = 7
 #: Range of total durations [s] in which the shortest within limits is searched, chosen.
 SHORTEST, LONGEST = 1e-2, 1e3
+#: Numbers of segments of references: one that has fewer is filled up, as each number is compiled.
+#: The first is enough for every run-up (`springback.control.approach.KNOTS`).
+LENGTHS = (12, 24, 48, 100)
 
 
 class BoundaryCondition(NamedTuple):
@@ -94,19 +96,34 @@ def as_reference(
     return Polynomials(segments, begins, float(breaks[-1] - breaks[0]), yaw)
 
 
-def padded_reference(reference: Polynomials, count: int) -> Polynomials:
-    """The same reference with at least so many segments; those added are at rest at its end.
+def padded_reference(reference: Polynomials) -> Polynomials:
+    """The same reference with one of `LENGTHS` of segments; those added are at rest at its end.
 
-    References of one length are of one type, so flights that follow them form a batch.
+    References of one length are of one type: flights that follow them are compiled once, and form
+    a batch.
     """
-    short = count - len(reference.segments)
-    if short <= 0:
-        return reference
-    first = reference.segments[0].coefficients
+    given = len(reference.segments)
+    short = next((length for length in LENGTHS if length >= given), given) - given
     end, still = target(reference, reference.begins + reference.duration), Vec(0.0, 0.0, 0.0)
-    resting = (*(still for _ in first[1:]), end.position)
+    resting = (*(still for _ in reference.segments[0].coefficients[1:]), end.position)
     more = (Segment(reference.duration, resting),) * short
     return reference._replace(segments=(*reference.segments, *more))
+
+
+def set_points(positions: Sequence[Vec], dwell: float = 0.0, yaw: float = 0.0) -> Polynomials:
+    """Set-points in sequence, with jumps between them: polynomials that are constant.
+
+    Few are of the type of a run-up; many, of one coefficient each, would be needlessly large so.
+
+    Args:
+        positions: At least one, world [m]; the first applies from the beginning.
+        dwell: Time at each but the last [s].
+        yaw: Constant [rad].
+    """
+    none = Vec(0.0, 0.0, 0.0)
+    powers = (none,) * (DEGREE if len(positions) <= LENGTHS[0] else 0)
+    segments = tuple(Segment(k * dwell, (*powers, Vec(*p))) for k, p in enumerate(positions))
+    return padded_reference(Polynomials(segments, 0.0, segments[-1].begins, yaw))
 
 
 # -- minimum snap ---------------------------------------------------------------------------------
@@ -206,7 +223,7 @@ def through(
     asked = demands(curve, breaks, limits)
     if beyond := shortfalls(asked, limits, "the flight through way-points"):
         raise InputError(*beyond)
-    return as_reference(curve, breaks, yaw, begins)
+    return padded_reference(as_reference(curve, breaks, yaw, begins))
 
 
 def _shortest(corners: Array, limits: Limits) -> Array:

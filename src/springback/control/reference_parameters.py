@@ -15,8 +15,8 @@ from typing import Annotated, Any, Literal
 from pydantic import Field, model_validator
 
 from springback.control.demands import Limits
-from springback.control.polynomials import through
-from springback.control.references import Circle, Hold, Polynomials, SetPoint, Steps
+from springback.control.polynomials import set_points, through
+from springback.control.references import Circle, Polynomials
 from springback.control.runup import RunUp, RunUpContact, RunUpTiming, run_up
 from springback.errors import InputError
 from springback.kernels.vectors import Vec
@@ -34,7 +34,7 @@ Place = Annotated[Triple, Unit("m")]
 HOME = (0.0, 0.0, 1.0)
 
 
-#: Upper limit, to catch typing errors (chosen): a flight is compiled for each number of positions.
+#: Upper limit, to catch typing errors (chosen).
 MOST_POSITIONS = 100
 
 
@@ -45,9 +45,9 @@ class HoldSettings(Settings):
     position: Place = HOME
     yaw: Angle = 0.0
 
-    def reference(self, limits: Limits, reach: Reach) -> Hold:
+    def reference(self, limits: Limits, reach: Reach) -> Polynomials:
         """Reference for the kernels."""
-        return Hold(Vec(*self.position), self.yaw)
+        return set_points([Vec(*self.position)], yaw=self.yaw)
 
 
 class StepsSettings(Settings):
@@ -70,10 +70,9 @@ class StepsSettings(Settings):
             raise problem(what, "positions")
         return self
 
-    def reference(self, limits: Limits, reach: Reach) -> Steps:
+    def reference(self, limits: Limits, reach: Reach) -> Polynomials:
         """Reference for the kernels."""
-        points = enumerate(self.positions)
-        return Steps(tuple(SetPoint(k * self.dwell, Vec(*p), self.yaw) for k, p in points))
+        return set_points([Vec(*p) for p in self.positions], self.dwell, self.yaw)
 
 
 class CircleSettings(Settings):

@@ -16,27 +16,6 @@ from springback.kernels.trees import axpy, fold, select
 from springback.kernels.vectors import Vec
 
 
-class Hold(NamedTuple):
-    """One set-point for all times."""
-
-    position: Vec  # world [m]
-    yaw: float  # [rad]
-
-
-class SetPoint(NamedTuple):
-    """A set-point and the time from which it applies."""
-
-    begins: float  # [s]
-    position: Vec  # world [m]
-    yaw: float  # [rad]
-
-
-class Steps(NamedTuple):
-    """Set-points in sequence, with jumps between them; the first applies from the beginning."""
-
-    points: tuple[SetPoint, ...]  # in order of time
-
-
 class Circle(NamedTuple):
     """A level circle at constant speed, for ever."""
 
@@ -74,19 +53,6 @@ class Switch(NamedTuple):
 
 
 @kernel
-def rest_target(position: Vec, yaw: float) -> Target:
-    """A target at rest."""
-    still = Vec(0.0, 0.0, 0.0)
-    return Target(position, still, still, still, yaw, 0.0)
-
-
-@target.register(Hold)
-@kernel
-def _hold(reference: Hold, time: float) -> Target:
-    return rest_target(reference.position, reference.yaw)
-
-
-@kernel
 def _come(current: Any, later: Any, time: float) -> Any:
     """The later one if its time has come, else the current one."""
     return select(time >= later.begins, later, current)
@@ -109,14 +75,6 @@ def _horner(so_far: Taylor, coefficient: Vec, t: float) -> Taylor:
         axpy(coefficient, s.value, t), axpy(s.value, s.first, t), axpy(s.first, s.second, t),
         axpy(s.second, s.third, t),
     )  # fmt: skip
-
-
-@target.register(Steps)
-@kernel
-def _steps(reference: Steps, time: float) -> Target:
-    """The last set-point whose time has come."""
-    current = fold(_come, reference.points[0], reference.points, (time,))
-    return rest_target(current.position, current.yaw)
 
 
 class PathTime(NamedTuple):

@@ -17,7 +17,7 @@ import numpy as np
 import scipy  # submodules are loaded on first use
 
 from springback.contact.cage import support
-from springback.control.approach import FEW, KNOTS, approach
+from springback.control.approach import FEW, approach
 from springback.control.demands import ROOM, Limits, demands
 from springback.control.polynomials import as_reference, padded_reference
 from springback.control.references import Polynomials
@@ -26,9 +26,6 @@ from springback.errors import InputError
 from springback.kernels.vectors import Vec
 from springback.vehicle.hulls import hull_reach
 from springback.vehicle.state import Airframe, arm_pose
-
-#: Segments of every run-up: the most that one needs, with its steady phase and two after contact.
-SEGMENTS = KNOTS + 4
 
 
 class RunUp(NamedTuple):
@@ -143,7 +140,7 @@ def run_up(
     asked = demands(curve, breaks[:touching], limits)
     yaw = math.atan2(way.y, way.x) + turned
     return RunUp(
-        padded_reference(as_reference(curve, breaks, yaw, begins), SEGMENTS),
+        padded_reference(as_reference(curve, breaks, yaw, begins)),
         begins + breaks[touching - 1],
         end,
         asked.max_thrust,

@@ -10,7 +10,7 @@ import scipy  # submodules are loaded on first use
 from springback.contact.cage import moving_bodies
 from springback.contact.moving.bodies import ABSENT, CARRIED
 from springback.simulation.flight import FlightRecord, Trace
-from springback.simulation.playback import bend_columns, memory_columns
+from springback.simulation.playback import bend_columns, recorded_memory
 from springback.simulation.thrusts import ThrustTable
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -43,7 +43,8 @@ def trajectory_columns(
     for name, source in rubbed.items():
         parts = np.stack([trace[f"{source}.{axis}"] for axis in "xyz"])
         columns[name], units[name] = np.linalg.norm(parts, axis=0), "N"
-    for name, (source, unit) in memory_columns(flown.start.memory).items():
+    kept = recorded_memory(flown.start.memory, flown.model.world.obstacles)
+    for name, (source, unit) in kept.items():
         columns[name], units[name] = np.ascontiguousarray(trace[source]), unit
     for number, body in enumerate(moving_bodies(flown.model.world.obstacles), start=1):
         if body.kind not in (ABSENT, CARRIED):  # of another vehicle, which has its own

@@ -247,9 +247,10 @@ def world_numbers(
     entries = (entry for entry in world.obstacles if not isinstance(entry, UserShape))
     known = [(k, one) for k, entry in enumerate(entries) for one in single_obstacles([entry])]
     given, numbers = [one for _, one in known], [k for k, _ in known]
-    built = obstacles(given, own, as_scene=bool(hulls), numbers=numbers)
+    remember = any(hull.remembers for hull in hulls)
+    built = obstacles(given, own, as_scene=bool(hulls), numbers=numbers, remembers=remember)
     if hulls:
-        built = with_hulls(built, RING_ROUNDING, any(hull.remembers for hull in hulls))
+        built = with_hulls(built, RING_ROUNDING)
     if isinstance(built, MovingScene):
         return World(flown_scene(built), Forces(0.0), world.gravity)
     impulsive = isinstance(built, SolidScene) or any(

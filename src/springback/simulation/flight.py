@@ -159,25 +159,29 @@ def memory_at_start(model: Model) -> VehicleMemory | tuple[()]:
     """Memory of a vehicle that has touched nothing; `()` where nothing is remembered."""
     obstacles, airframe = model.world.obstacles, model.airframe
     scene = obstacles.still if isinstance(obstacles, MovingScene) else obstacles
-    slips = isinstance(scene, SolidScene) and scene.bristles > 0.0
-    remembers = isinstance(scene, SolidScene) and scene.remembers > 0.0
+    presses = isinstance(scene, SolidScene) and has_memory(scene)
     turns = any(isinstance(hull, Shell) for hull in airframe.hull)
     breaks = isinstance(model.limits, LoadLimits) and bool(model.limits.broken)
-    if not (slips or remembers or turns or breaks):
+    if not (presses or turns or breaks):
         return ()
     none = Vec(0.0, 0.0, 0.0)
-    bristles = (Bristles(none, none),) if slips else ()
+    bristles = (Bristles(none, none),) if presses else ()
 
     def part(faces: tuple[float, ...], hull: Any = None) -> PartMemory:
         points = PressedPoints(0.0, (no_point(),) * len(faces))
         spin = (none,) if isinstance(hull, Shell) else ()
         whole = (1.0,) if breaks and hull is None else ()
-        return PartMemory(bristles, (points,) if remembers else (), spin, whole)
+        return PartMemory(bristles, (points,) if presses else (), spin, whole)
 
     return VehicleMemory(
         tuple(part(arm_flags(arm, obstacles, 0.0)) for arm in airframe.arms),
         tuple(part(hull_flags(hull, obstacles, 0.0), hull) for hull in airframe.hull),
     )
+
+
+def has_memory(scene: SolidScene) -> bool:
+    """True if contacts with a scene have a state: that of all its laws, to be one structure."""
+    return scene.bristles > 0.0 or scene.remembers > 0.0 or scene.memory > 0.0
 
 
 def with_spin(memory: Any, spin: Vec) -> Any:

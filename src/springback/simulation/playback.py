@@ -32,7 +32,9 @@ from springback.contact.hull_contact import (
 from springback.contact.laws.memory import arm_memory, hull_memory
 from springback.contact.loads import CageContact, face_contact
 from springback.contact.moving.bodies import ABSENT, GIVEN, MovingBody
+from springback.contact.moving.scene import MovingScene
 from springback.contact.obstacles import World
+from springback.contact.scene.faces import SolidScene
 from springback.dynamics.energy import Energy, energy
 from springback.dynamics.limbs.shell import hull_motion
 from springback.kernels.compiler import executor, kernel, user_executor
@@ -179,13 +181,14 @@ def states_at(model: Model, columns: Mapping[str, Array], places: Places | slice
     states = np.stack([columns[name][places] for name in names], axis=1)
     bodies = moving_bodies(model.world.obstacles)
     moving = [_body_states(body, columns, places, len(states)) for body in bodies]
-    kept = memory_columns(model_state(model).memory)
+    memory = model_state(model).memory
+    needed = recorded_memory(memory, model.world.obstacles)
     # What a step lost changes nothing after it; flights of earlier versions were stored without.
     rows = [
         0.0 * columns["t"][places]
-        if name.endswith("_lost") and name not in columns
+        if name not in needed or (name.endswith("_lost") and name not in columns)
         else columns[name][places]
-        for name in kept
+        for name in memory_columns(memory)
     ]
     held = [np.stack(rows, axis=1)] if rows else []
     bent = bend_columns(len(model_state(model).bends))
@@ -207,6 +210,25 @@ def bend_columns(count: int) -> dict[str, tuple[str, str]]:
         found[f"bend{j}"] = (f"state.bends.{j}.way", "m")
         found[f"dbend{j}"] = (f"state.bends.{j}.rate", "m/s")
     return found
+
+
+def recorded_memory(memory: Any, obstacles: Any) -> dict[str, tuple[str, str]]:
+    """Those of `memory_columns` that a surface needs: the others are 0 all along.
+
+    Args:
+        memory: Of a state.
+        obstacles: Of the world.
+    """
+    scene = obstacles.still if isinstance(obstacles, MovingScene) else obstacles
+    unused = []
+    if isinstance(scene, SolidScene):
+        unused += [] if scene.bristles > 0.0 else [".bristles."]
+        unused += [] if scene.remembers > 0.0 else [".pressed."]
+    return {
+        name: (source, unit)
+        for name, (source, unit) in memory_columns(memory).items()
+        if not any(kind in source for kind in unused)
+    }
 
 
 def memory_columns(memory: Any) -> dict[str, tuple[str, str]]:

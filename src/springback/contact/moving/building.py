@@ -41,8 +41,9 @@ from springback.vehicle.state import BodyState
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 #: Numbers of moving obstacles that are structures of their own to the compiler: others are filled
-#: up with bodies that touch nothing.
-COUNTS = (2, 8)
+#: up with bodies that touch nothing.  With many, contacts always have a memory, as they have where
+#: fewer move in a world whose surfaces have one: so there are two structures, not four.
+FEW, MANY = 2, 8
 #: Spheres with which a body touches the world: their flags are bits of one number.
 MOST_POINTS = 52 // FACES
 #: Points around each rim.
@@ -74,15 +75,15 @@ def moving_scene(still: SolidScene, moving: Sequence[MovingShape]) -> MovingScen
     Raises:
         The problem, with its key.
     """
-    if len(moving) > COUNTS[-1]:
-        raise problem(f"hold {len(moving)} that move; the most is {COUNTS[-1]}", "world.obstacles")
+    if len(moving) > MANY:
+        raise problem(f"hold {len(moving)} that move; the most is {MANY}", "world.obstacles")
     bodies = []
     for number, shape in enumerate(moving):
         with naming(f"world.obstacles[{shape.obstacle}].motion"):
             bodies.append(_body(number, shape))
-    count = next(count for count in COUNTS if count >= len(bodies))
-    bodies += [_absent(number) for number in range(len(bodies), count)]
-    return scene_with(still, tuple(bodies))
+    many = len(bodies) > FEW or still.bristles > 0.0 or still.remembers > 0.0
+    bodies += [_absent(number) for number in range(len(bodies), MANY if many else FEW)]
+    return scene_with(still._replace(memory=1.0 if many else 0.0), tuple(bodies))
 
 
 def _scene_about(shape: MovingShape, origin: Array) -> SolidScene:

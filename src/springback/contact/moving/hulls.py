@@ -39,20 +39,16 @@ from springback.kernels.vectors import Vec, norm
 from springback.vehicle.state import CompoundHull
 
 
-def with_hulls(scene: Any, rounding: float, remember: bool = False) -> Any:
+def with_hulls(scene: Any, rounding: float) -> Any:
     """A scene that hulls of any kind can meet; the routine for them is compiled now.
 
     Args:
         scene: A `SolidScene` or a `MovingScene`.
         rounding: Of rings on planes [rad].
-        remember: True if a hull has a surface with a memory.
     """
     if isinstance(scene, MovingScene):
-        return scene._replace(still=with_hulls(scene.still, rounding, remember))
-    remembers = 1.0 if remember else scene.remembers
-    return scene._replace(
-        hull_query=SCENE_HULL_FACES.address, rounding=rounding, remembers=remembers
-    )
+        return scene._replace(still=with_hulls(scene.still, rounding))
+    return scene._replace(hull_query=SCENE_HULL_FACES.address, rounding=rounding)
 
 
 @kernel

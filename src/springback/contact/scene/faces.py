@@ -100,6 +100,7 @@ class SolidScene(NamedTuple):
     rounding: float = 0.0  # of rings that are hulls [rad]
     bristles: float = 0.0  # 1 if a surface has any
     remembers: float = 0.0  # 1 if a surface remembers the deepest depth
+    memory: float = 0.0  # 1: contacts have a state of their own, though no surface needs it
 
 
 class SceneInBodyFrame(NamedTuple):

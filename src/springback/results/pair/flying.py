@@ -72,11 +72,11 @@ def _side(scenario: Scenario, path: str, built: ReadyFlight) -> PairedFlight:
 
 def in_a_scene(scenario: Scenario, vehicle: Vehicle, model: Model) -> Model:
     """A model whose world is a scene, whatever is in it, that all hulls of a vehicle can meet."""
-    scene = obstacles(scenario.world.obstacles, as_scene=True)  # type: ignore[arg-type]  # checked
+    given, remember = scenario.world.obstacles, any(hull.remembers for hull in vehicle.hulls)
+    scene = obstacles(given, as_scene=True, remembers=remember)  # type: ignore[arg-type]  # checked
     assert isinstance(scene, SolidScene)
     if vehicle.hulls:
-        remember = any(hull.remembers for hull in vehicle.hulls)
-        scene = with_hulls(scene, RING_ROUNDING, remember)
+        scene = with_hulls(scene, RING_ROUNDING)
     return model._replace(world=model.world._replace(obstacles=scene))
 
 
