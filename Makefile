@@ -13,6 +13,7 @@ run:
 	@echo springback doctor --compile, beside the reproduction
 	@$(BIN)/springback doctor --compile --quiet & ahead=$$!; \
 	$(BIN)/springback reproduce --out $(OUT) --force || { kill $$ahead; exit 1; }; \
+	echo "the report is ready; rarer kinds of flight still compile, which may be interrupted"; \
 	wait $$ahead
 
 test:
