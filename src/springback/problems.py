@@ -122,7 +122,8 @@ def problem_paths(error: ValidationError) -> list[tuple[tuple[str | int, ...], s
             path, message = (*path, "type"), f"is missing; {_choice(kinds)}"
         elif detail["type"] == "union_tag_invalid":
             tag = detail["ctx"]["tag"]
-            said = f"must be {_choice(kinds)} (got {shown_value(tag)}){_meant(tag, kinds)}"
+            here = tuple(re.findall(r"'([^']*)'", detail["ctx"]["expected_tags"]))
+            said = f"must be {_choice(here)} (got {shown_value(tag)}){_meant(tag, here)}"
             path, message = (*path, "type"), said
         elif detail["type"] == "literal_error":
             given, known = detail["input"], re.findall(r"'([^']*)'", detail["ctx"]["expected"])

@@ -175,3 +175,31 @@ def test_a_reference_begins_at_its_place() -> None:
     tables = {"vehicle": "arq", "reference": {"type": "hold"}}
     with pytest.raises(InputError, match=r"touch_distance: cannot be combined with a reference"):
         scenario_from(tables | {"start": {"velocity": [1, 0, 0], "touch_distance": 0.0}})
+
+
+# -- of obstacles ----------------------------------------------------------------------------------
+
+
+def beside_a_free_box(height: float) -> dict[str, Any]:
+    """ARQ above the ground, and a box of 20 cm that moves freely, its centre at a height [m]."""
+    box = {
+        "type": "box", "position": [2.0, 0.0, height], "size": [0.2, 0.2, 0.2], "surface": "wall",
+        "motion": {"type": "free", "mass": 1.0},
+    }  # fmt: skip
+    obstacles = [{"type": "ground", "surface": "wall"}, box]
+    return {"vehicle": "arq", "world": {"obstacles": obstacles}, "simulation": SHORT,
+            "start": {"position": [0.0, 0.0, 1.0]}, "thrust": "hover"}  # fmt: skip
+
+
+def test_a_free_obstacle_may_lie_on_the_ground_not_in_it() -> None:
+    scenario_from(beside_a_free_box(0.1))
+    scenario_from(beside_a_free_box(0.0985))
+    with pytest.raises(InputError, match=r"^world\.obstacles\[1\]: starts 0\.05 m inside what is"):
+        scenario_from(beside_a_free_box(0.05))
+
+
+def test_the_motion_of_a_wall_is_refused_with_those_that_it_can_have() -> None:
+    wall = {"type": "wall", "distance": 2.0, "surface": "wall", "motion": {"type": "free"}}
+    given = beside_a_free_box(0.1) | {"world": {"obstacles": [wall]}}
+    with pytest.raises(InputError, match=r"type: must be constant, sine or table \(got 'free'\)$"):
+        scenario_from(given)

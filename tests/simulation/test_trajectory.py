@@ -1,12 +1,13 @@
 """Trajectories: which instants are kept, and that measures know all."""
 
+from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
 
 from builders.cases import nonempty
-from springback import InputError, fly
+from springback import InputError, fly, load
 from springback.simulation.trajectory import StoredRows
 
 WALL = {"type": "wall", "distance": 2.5, "surface": "wall"}
@@ -64,6 +65,16 @@ def test_rows_come_in_parts_of_any_size() -> None:
     every = StoredRows(2)
     every.add(table)
     np.testing.assert_array_equal(every.all(), table)
+
+
+@pytest.mark.parametrize("tables", [THROWN, FLOWN, PAIR], ids=["throw", "pilot", "pair"])
+def test_what_is_kept_can_be_saved_and_read_again(tables: dict[str, Any], tmp_path: Path) -> None:
+    """Scenarios are saved with all their tables, the sensors that nobody read among them."""
+    kept = fly(thin(tables, "4 ms"))
+    kept.save(tmp_path / "out", figures=False)
+    again = load(tmp_path / "out")
+    np.testing.assert_array_equal(again.columns["x"], kept.columns["x"])
+    assert again.scenario.simulation.record_interval == 0.004
 
 
 def test_sensors_without_a_pilot_need_every_step() -> None:

@@ -158,9 +158,28 @@ def _first_line(error: BaseException) -> str:
     return text[0][:200]
 
 
+def _without_unread_sensors(tables: Any) -> Any:
+    """Tables of a saved flight; where not every step was recorded, no sensor was read from them.
+
+    A scenario is saved with all its tables, those that were left out, too.
+    """
+    simulation = tables.get("simulation") if isinstance(tables, dict) else None
+    if not isinstance(simulation, dict) or not simulation.get("record_interval"):
+        return tables
+    second = tables.get("second")
+    kept = tables | {"second": _of_pilots(second)} if isinstance(second, dict) else tables
+    return _of_pilots(kept)
+
+
+def _of_pilots(tables: dict[str, Any]) -> dict[str, Any]:
+    """Tables of a vehicle, without sensors if it has no pilot that reads them."""
+    guided = tables.get("reference") is not None or tables.get("pilot") is not None
+    return {key: value for key, value in tables.items() if guided or key != "sensors"}
+
+
 def _scenario(path: Path, summary: Mapping[str, Any]) -> Scenario:
     try:
-        return scenario_from(summary["scenario"])
+        return scenario_from(_without_unread_sensors(summary["scenario"]))
     except (InputError, TypeError, ValueError) as error:
         by = f"; it was written by springback {str(summary.get('springback', '?'))[:20]}"
         raise InputError(f"{path}: scenario: {_first_line(error)}{by}") from None

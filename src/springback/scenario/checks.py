@@ -44,6 +44,7 @@ from springback.scenario.tables import (
     ThrustSettings,
     UserShape,
 )
+from springback.scenario.worlds.free_starts import check_free_starts
 from springback.scenario.worlds.imported import Imported, single_obstacles
 from springback.scenario.worlds.mesh_check import check_meshes, size_words
 from springback.sensing.parameters import SensorSettings
@@ -293,11 +294,11 @@ def check_drag(scenario: ScenarioTables, mass: float, thrust: float) -> None:
 
 
 def check_start(scenario: ScenarioTables, model: Model, state: State) -> None:
-    """Reject a start inside an obstacle."""
-    if is_clear(model, state):
-        return
+    """Reject a start inside an obstacle, and that of one which moves freely."""
     whole = model.world.obstacles
-    if (
+    if isinstance(whole, MovingScene):
+        check_free_starts(whole)
+    if is_clear(model, state) or (
         isinstance(whole, SolidScene | MovingScene)
         and min(_gaps_of(whole, model, state)) >= -LANDED
     ):

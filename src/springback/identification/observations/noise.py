@@ -8,16 +8,18 @@ import numpy as np
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
-#: Highest order of autoregression, and degree of the polynomial that is taken for motion (chosen).
-HIGHEST_ORDER, DEGREE = 4, 3
+#: Highest order of autoregression, and degree of the polynomial that is taken for motion (chosen:
+#: fits beside noise of rotors are the best with 24 of 4, 16 and 24).
+HIGHEST_ORDER, DEGREE = 24, 3
 #: Fewest samples from which noise is estimated (chosen).
 FEWEST = 20
 #: Median deviation of normal noise over its standard deviation, and deviations beyond which a
 #: sample before touch is not noise (chosen: one of a million is).
 MEDIAN, WILD = 0.6745, 5.0
-#: Least share of the variance that is not predicted by the samples before (chosen: a tenth of the
-#: deviation; what is predicted better hangs on the rotors, which an impact disturbs).
-LEAST_SHARE = 0.01
+#: Noise of which the samples before leave less than the first share of the variance is taken to be
+#: white by the second (chosen: a tenth of the deviation): it hangs on the rotors, which an impact
+#: disturbs, and coefficients that predict it so well are not to be trusted through a contact.
+WELL_PREDICTED, WHITE_SHARE = 0.1, 0.01
 #: Variance of white noise that a filtered channel has of its own, over its variance (chosen: a
 #: thousandth of the deviation; with a hundredth, intervals of slider impacts behind 30 Hz are too
 #: narrow by a tenth).
@@ -129,11 +131,11 @@ def estimated_noise(
         return white_noise(sigma, width)
     scaled = rest[:, moving] / sigma[moving]
     best, least = (np.empty(0), 1.0), 0.0
-    samples = scaled.size
-    for order in range(1, HIGHEST_ORDER + 1):
-        phi, share = _yule_walker(scaled, order)
-        if share < LEAST_SHARE:  # lines of rotors: not to be trusted to go on through a contact
-            break
+    samples, highest = scaled.size, min(HIGHEST_ORDER, len(scaled) // 4)
+    unpredicted = _yule_walker(scaled, highest, WHITE_SHARE)[1]
+    white = WHITE_SHARE if unpredicted < WELL_PREDICTED else 0.0
+    for order in range(1, highest + 1):
+        phi, share = _yule_walker(scaled, order, white)
         score = samples * np.log(max(share, 1e-12)) + order * np.log(samples)
         if score < least:
             best, least = (phi, share), score
@@ -165,12 +167,18 @@ def _left(values: Array, phi: Array) -> float:
     return float((rest**2).mean() / (values**2).mean())
 
 
-def _yule_walker(values: Array, order: int) -> tuple[Array, float]:
-    """Coefficients, and the innovation's share of the variance (Yule 1927, Walker 1931)."""
+def _yule_walker(values: Array, order: int, white: float) -> tuple[Array, float]:
+    """Coefficients, and the innovation's share of the variance (Yule 1927, Walker 1931).
+
+    Args:
+        values: Shape (samples, width).
+        order: Number of coefficients.
+        white: Share of the variance by which white noise is added.
+    """
     count = len(values)
     sums = [float((values[k:] * values[: count - k]).sum()) for k in range(order + 1)]
     r = np.array(sums) / sums[0]
     r[1:] += (DEGREE + 1) / count  # what the polynomial, taken out, leaves of white noise
     matrix = r[np.abs(np.subtract.outer(np.arange(order), np.arange(order)))]
-    phi = np.linalg.solve(matrix + 1e-9 * np.eye(order), r[1:])
-    return np.asarray(phi, dtype=float), float(1.0 - phi @ r[1:])
+    phi = np.linalg.solve(matrix + max(white, 1e-9) * np.eye(order), r[1:])
+    return np.asarray(phi, dtype=float), float(1.0 + white - phi @ r[1:])

@@ -20,7 +20,10 @@ from springback.interfaces.cli.completion import complete_vehicle
 from springback.interfaces.output.plain_text import plain_text
 
 Command = Callable[..., None]
-FIRST = "flying; a new kind of flight is compiled first: some 10 s, with a pilot 20 s to a minute"
+FIRST = (
+    "flying; a new kind of flight is compiled first: some 10 s, with a pilot 20 s to a minute, "
+    "with what moves two"
+)
 """Label of the spinner while a flight is flown."""
 PATIENCE = 1.0
 """Seconds before a progress bar appears."""
