@@ -60,7 +60,7 @@ def obstacles(
     *,
     as_scene: bool = False,
     numbers: Sequence[int] = (),
-    remembers: bool = False,
+    hull_memory: bool = False,
 ) -> tuple[Obstacle, ...] | SolidScene | MovingScene:
     """Numbers of all obstacles; if there are none, a face out of reach.
 
@@ -69,13 +69,13 @@ def obstacles(
         own: The user's own shapes.
         as_scene: True makes a scene of planes alone, too.
         numbers: Number in the world of each, from 0; by default in their order.
-        remembers: True if a hull that meets them has a surface with a memory.
+        hull_memory: True if a hull that meets them has a surface with a memory.
 
     Raises:
         The problem, if there are too many.
     """
     if any(_moves(entry) for entry in settings):
-        return _moving_scene(settings, own, numbers or range(len(settings)), remembers)
+        return _moving_scene(settings, own, numbers or range(len(settings)), hull_memory)
     laws = [law for entry in settings for law in surfaces_of(entry)] + [law for _, law in own]
     planes = [entry for entry in settings if not isinstance(entry, ShapeSettings)]
     all_faces: list[tuple[Any, SurfaceSettings, float]] = []
@@ -84,7 +84,7 @@ def obstacles(
     known = bool(own) or all(map(_is_common, laws))
     if as_scene or not few or not known or any(map(_has_memory, laws)):
         built = _scene(settings, own)
-        return built._replace(remembers=1.0) if remembers else built
+        return built._replace(remembers=1.0) if hull_memory else built
     all_faces += _own_faces(own)
     common = all(surface.exponent_value() == 1.5 for _, surface, _ in all_faces)
     exponent = ThreeHalves if common else AnyExponent

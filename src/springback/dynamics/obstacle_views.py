@@ -11,6 +11,9 @@ from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import fold, replace, select, tree_map
 from springback.kernels.vectors import Mat3, Vec
 
+#: A moving obstacle that touches what is at rest rests itself below this speed [m/s] (chosen: its
+#: energy is then a ten-thousandth of that of the throws it takes part in).
+AT_REST = 0.01
 _NONE = Vec(0.0, 0.0, 0.0)
 
 
@@ -82,6 +85,13 @@ def nearer(gap: float, body: BodyView) -> float:
 def faster(speed: float, body: BodyView) -> float:
     """Upper bound on the speed at which a part and a moving obstacle approach [m/s]."""
     return speed + body.fastest
+
+
+@kernel
+def rebounding(so_far: float, body: BodyView) -> float:
+    """1 if a moving obstacle hits, or scrapes along, what is at rest, or one before did."""
+    hits = (body.engaged > 0.0) & (body.fastest > AT_REST)
+    return 1.0 if hits else so_far
 
 
 @kernel

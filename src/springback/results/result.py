@@ -142,8 +142,7 @@ class FlightResult(FlightMeasures):
             share = "more than all" if left is None else f"{left:.1e}"
             found[LedgerWarning] = (
                 f"the energy ledger leaves {share} of the energy: the "
-                "numbers cannot be trusted; try smaller steps (simulation.impact_step, and "
-                "simulation.free_step where an obstacle moves freely)"
+                "numbers cannot be trusted; try a smaller simulation.impact_step"
             )
         if (thin := self._pierced()) is not None:
             found[ContactWarning] = thin

@@ -248,7 +248,7 @@ def world_numbers(
     known = [(k, one) for k, entry in enumerate(entries) for one in single_obstacles([entry])]
     given, numbers = [one for _, one in known], [k for k, _ in known]
     remember = any(hull.remembers for hull in hulls)
-    built = obstacles(given, own, as_scene=bool(hulls), numbers=numbers, remembers=remember)
+    built = obstacles(given, own, as_scene=bool(hulls), numbers=numbers, hull_memory=remember)
     if hulls:
         built = with_hulls(built, RING_ROUNDING)
     if isinstance(built, MovingScene):

@@ -73,7 +73,7 @@ def _side(scenario: Scenario, path: str, built: ReadyFlight) -> PairedFlight:
 def in_a_scene(scenario: Scenario, vehicle: Vehicle, model: Model) -> Model:
     """A model whose world is a scene, whatever is in it, that all hulls of a vehicle can meet."""
     given, remember = scenario.world.obstacles, any(hull.remembers for hull in vehicle.hulls)
-    scene = obstacles(given, as_scene=True, remembers=remember)  # type: ignore[arg-type]  # checked
+    scene = obstacles(given, as_scene=True, hull_memory=remember)  # type: ignore[arg-type]  # checked
     assert isinstance(scene, SolidScene)
     if vehicle.hulls:
         scene = with_hulls(scene, RING_ROUNDING)

@@ -23,7 +23,7 @@ from springback.dynamics.crossing import crossing, sooner, soonest, time_to
 from springback.dynamics.limbs.arms import ArmView
 from springback.dynamics.limbs.locked import RigidRates, RigidState
 from springback.dynamics.motion import LANDED, Engaged, Motion, View
-from springback.dynamics.obstacle_views import faster, first_hit, nearer, speed_beside
+from springback.dynamics.obstacle_views import faster, first_hit, nearer, rebounding, speed_beside
 from springback.kernels.compiler import kernel
 from springback.kernels.trees import (
     field_of,
@@ -430,10 +430,11 @@ def _stepping_after(
     timing, now, phase = model.timing, m.stepping, at.phase
     ahead = awaits_return(at.impacts, m.first_impact)
     time_to_crossing = _time_to_crossing(timing, state, view, first, ahead)
-    pressed = larger(at.touching, maximum(field_of(view.arms, "stopped"))) > 0.0
+    hits = fold(rebounding, at.touching, view.bodies, ())
+    pressed = larger(hits, maximum(field_of(view.arms, "stopped"))) > 0.0
     impact_step = select(pressed, timing.impact_step, timing.settle_step)
     sliding = (phase > 0.0) | (timing.hybrid == 0.0)
-    step = select(sliding, impact_step, timing.free_step)
+    step = select(sliding | (hits > 0.0), impact_step, timing.free_step)
     step = smaller(step, larger(time_to_crossing, SHORTEST * timing.impact_step))
     # No point moves faster than this, so nothing can touch unnoticed within the step.
     fastest = fastest_point(model.airframe, state.velocity, state.angular_velocity)
