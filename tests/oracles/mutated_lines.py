@@ -283,7 +283,7 @@ MUTATED_LINES = (
     Mutation("leaving at once", TOUCHES, "(met.gap < -LANDED) & (met.impulsive == 0.0)", "(met.gap < -LANDED) & (met.rate < 0.0)", FLIGHT),
     Mutation("impulse where it leaves", TOUCHES, "closing = (met.gap <= LANDED) & (met.rate < 0.0)", "closing = (met.gap <= LANDED) & (met.rate > 0.0)", IMPULSE),
     # steps
-    Mutation("stops are no contact", RECORD, "larger(at.touching, maximum(field_of(view.arms, \"stopped\")))", "at.touching", RULES),
+    Mutation("stops are no contact", RECORD, "larger(hits, maximum(field_of(view.arms, \"stopped\")))", "hits", RULES),
     Mutation("settling steps in contact", RECORD, "select(pressed, timing.impact_step, timing.settle_step)", "select(pressed, timing.settle_step, timing.impact_step)", RULES),
     Mutation("crossings from afar met at once", RECORD, "time_to_crossing - 0.5 * timing.impact_step,", "time_to_crossing,", RULES),
     Mutation("crossings passed", RECORD, "step = smaller(step, larger(time_to_crossing, SHORTEST", "step = larger(step, larger(time_to_crossing, SHORTEST", RULES),

@@ -27,13 +27,23 @@ from springback.contact.hull_contact import (
     hull_contact,
     hull_faces,
 )
+from springback.contact.laws.memory import hull_memory
 from springback.contact.loads import CageContact, face_contact
 from springback.contact.obstacles import World
 from springback.contact.surfaces import Surface, slip_velocity
 from springback.dynamics.energy import about_mass_centre, energy, mass_moments
+from springback.dynamics.limbs.shell_impulse import (
+    ShellImpulse,
+    shells_hit,
+    jumps_of_spin,
+    memory_with_spins,
+    spin_moment,
+    spun,
+    velocity_at,
+)
 from springback.dynamics.motion import LANDED, RESTING, Free, Motion, Slider, Work
 from springback.kernels.compiler import generic, rare_kernel
-from springback.kernels.trees import one_tuple, tree_map
+from springback.kernels.trees import fold, one_tuple, tree_map
 from springback.kernels.vectors import Mat3, Vec, positive_part, solve_symmetric
 from springback.vehicle.state import (
     Airframe,
@@ -67,20 +77,21 @@ class ImpulseContact(NamedTuple):
     lever: Vec  # from the main body to the contact point, world [m]
     gap: float  # [m]
     surface: Surface
+    on_hull: float  # 1 for the hull, 0 for a cage
 
 
 @rare_kernel
 def _hit_by_arm(face: ContactFace, arm: Any, body: BodyMotion) -> ImpulseContact:
-    return _hit(face_contact(face, 1.0, PartMemory((), (), (), ()), arm, body), body.r)
+    return _hit(face_contact(face, 1.0, PartMemory((), (), (), ()), arm, body), body.r, 0.0)
 
 
 @rare_kernel
 def _hit_by_hull(face: ContactFace, hull: Any, body: BodyMotion) -> ImpulseContact:
-    return _hit(hull_contact(face, 1.0, PartMemory((), (), (), ()), hull, body), body.r)
+    return _hit(hull_contact(face, 1.0, PartMemory((), (), (), ()), hull, body), body.r, 1.0)
 
 
 @rare_kernel
-def _hit(met: CageContact, r: Mat3) -> ImpulseContact:
+def _hit(met: CageContact, r: Mat3, on_hull: float) -> ImpulseContact:
     near = (met.gap <= LANDED) & (met.impulsive > 0.0)
     closing = near & (met.rate < 0.0)
     lever = r @ met.pressing_at
@@ -91,6 +102,7 @@ def _hit(met: CageContact, r: Mat3) -> ImpulseContact:
         lever,
         met.gap,
         met.surface,
+        on_hull,
     )
 
 
@@ -117,25 +129,25 @@ class ImpulseEffect(NamedTuple):
 
 @generic
 def jump_of_motion(
-    guide: Any, mass: float, inertia: Mat3, r: Mat3, lever: Vec, impulse: Vec
+    guide: Any, mass: float, inertia: Mat3, r: Mat3, moment: Vec, impulse: Vec
 ) -> ImpulseEffect:
-    """Effect of an impulse [N s] at a lever from the centre of mass [m], world axes."""
+    """Effect of an impulse [N s] and its moment about the centre of mass [N m s], world axes."""
     raise TypeError(f"{type(guide).__name__} is not a guide")
 
 
 @jump_of_motion.register(Free)
 @rare_kernel
 def _free_jump(
-    guide: Free, mass: float, inertia: Mat3, r: Mat3, lever: Vec, impulse: Vec
+    guide: Free, mass: float, inertia: Mat3, r: Mat3, moment: Vec, impulse: Vec
 ) -> ImpulseEffect:
-    turn = r @ solve_symmetric(inertia, (lever ^ impulse) @ r)
+    turn = r @ solve_symmetric(inertia, moment @ r)
     return ImpulseEffect(impulse * (1.0 / mass), turn)
 
 
 @jump_of_motion.register(Slider)
 @rare_kernel
 def _slider_jump(
-    guide: Slider, mass: float, inertia: Mat3, r: Mat3, lever: Vec, impulse: Vec
+    guide: Slider, mass: float, inertia: Mat3, r: Mat3, moment: Vec, impulse: Vec
 ) -> ImpulseEffect:
     """Along the slider alone: the rail takes the rest, and all moments."""
     along = guide.axis @ impulse
@@ -164,6 +176,27 @@ def _slider_mobility(
 ) -> float:
     share = guide.axis @ along
     return share * share / mass
+
+
+@rare_kernel
+def _yields(
+    guide: Any, mass: float, inertia: Mat3, r: Mat3, lever: Vec, along: Vec, on_hull: float,
+    shells: tuple[ShellImpulse, ...],
+) -> float:  # fmt: skip
+    """As `mobility`, of a point that may be on a shell."""
+    as_body = mobility(guide, mass, inertia, r, lever, along)
+    return fold(_yields_on_shell, as_body, shells, (guide, mass, inertia, r, lever, along, on_hull))
+
+
+@rare_kernel
+def _yields_on_shell(
+    as_body: float, shell: ShellImpulse, guide: Any, mass: float, inertia: Mat3, r: Mat3,
+    lever: Vec, along: Vec, on_hull: float,
+) -> float:  # fmt: skip
+    turned = spin_moment(lever, along, on_hull, (shell,))
+    jump = jump_of_motion(guide, mass, inertia, r, (lever ^ along) - turned, along)
+    spins = jumps_of_spin((shell,), turned)
+    return along @ velocity_at(jump.linear, jump.angular, lever, on_hull, spins)
 
 
 @rare_kernel
@@ -199,6 +232,8 @@ def apply_impulses(
     count = len(hits)
     w = r @ state.angular_velocity
     v = state.velocity + (w ^ centre) + drift
+    memories = hull_memory(state.memory, airframe.hull)
+    shells = one_tuple(tree_map(shells_hit, (airframe.hull, memories), (r, centre)))
 
     part, rebound, open_ = [0.0] * count, [0.0] * count, [False] * count
     active, sunk, tolerated = 0, Vec(0.0, 0.0, 0.0), RESTING_STRUCK_AGAIN
@@ -207,7 +242,7 @@ def apply_impulses(
         hit = hits[k]
         if hit.near > 0.0:
             n, rho = hit.normal, hit.lever - centre
-            closing = -((v + (w ^ rho)) @ n)
+            closing = -(velocity_at(v, w, rho, hit.on_hull, shells) @ n)
             if (hit.closing > 0.0) & (closing > STILL):
                 part[k] = _part(closing) / mobility(guide, m, inertia, r, rho, n)
                 rebound[k] = hit.surface.restitution if closing > RESTING else 0.0
@@ -220,29 +255,33 @@ def apply_impulses(
         if active == 0:
             break
         # Effect of one whole increment: all cages push at once, so their order is irrelevant.
-        dv, dw = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
+        dv, dw, turned = Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0), Vec(0.0, 0.0, 0.0)
         rub = [Vec(0.0, 0.0, 0.0)] * count
         for k in range(count):
             if open_[k]:
                 hit = hits[k]
                 n, rho = hit.normal, hit.lever - centre
-                slip = slip_velocity(hit.surface, v + (w ^ rho), n, up)
+                moves = velocity_at(v, w, rho, hit.on_hull, shells)
+                slip = slip_velocity(hit.surface, moves, n, up)
                 speed = math.sqrt(slip @ slip)
                 if speed > 0.0:
                     t = slip * (1.0 / speed)
-                    yields = mobility(guide, m, inertia, r, rho, t) * active
+                    yields = _yields(guide, m, inertia, r, rho, t, hit.on_hull, shells) * active
                     limit = hit.surface.friction * part[k]
                     rub[k] = t * -(limit if speed > limit * yields else speed / yields)
                 impulse = n * part[k] + rub[k]
-                jump = jump_of_motion(guide, m, inertia, r, rho, impulse)
-                dv, dw = dv + jump.linear, dw + jump.angular
+                own = spin_moment(rho, impulse, hit.on_hull, shells)
+                jump = jump_of_motion(guide, m, inertia, r, (rho ^ impulse) - own, impulse)
+                dv, dw, turned = dv + jump.linear, dw + jump.angular, turned + own
+        spins = jumps_of_spin(shells, turned)
         # The fraction of it up to the next end of a compression or of a restitution.
         share, next_ = 1.0, -1
         for k in range(count):
             if open_[k]:
                 hit = hits[k]
                 n, rho = hit.normal, hit.lever - centre
-                speed, gain = (v + (w ^ rho)) @ n, (dv + (dw ^ rho)) @ n
+                speed = velocity_at(v, w, rho, hit.on_hull, shells) @ n
+                gain = velocity_at(dv, dw, rho, hit.on_hull, spins) @ n
                 if speed < -STILL and speed + gain > 0.0 and -speed / gain < share:
                     share, next_ = -speed / gain, -1
                 if speed >= -STILL:
@@ -253,24 +292,25 @@ def apply_impulses(
                     ends = 2.0 * owed / (speed + root) if speed + root > 0.0 else 0.0
                     if owed == 0.0 or ends < share:
                         share, next_ = (ends if owed > 0.0 else 0.0), k
-        new_v, new_w = v + dv * share, w + dw * share
+        new_v, new_w, new_shells = v + dv * share, w + dw * share, spun(shells, spins, share)
         for k in range(count):
             if open_[k]:
                 hit = hits[k]
                 n, rho = hit.normal, hit.lever - centre
-                mean = (v + new_v + ((w + new_w) ^ rho)) * 0.5
+                before_it = velocity_at(v, w, rho, hit.on_hull, shells)
+                mean = (before_it + velocity_at(new_v, new_w, rho, hit.on_hull, new_shells)) * 0.5
                 done = share * part[k] * (mean @ n)
                 taken[k] -= done if done < 0.0 else 0.0
                 given_back[k] += done if done > 0.0 else 0.0
                 rubbed_off -= share * (rub[k] @ mean)
                 given = given + (n * part[k] + rub[k]) * share
-        v, w = new_v, new_w
+        v, w, shells = new_v, new_w, new_shells
         if next_ >= 0:
             open_[next_], active = False, active - 1
         for k in range(count):  # a cage that another one pushes in strikes, or strikes again
             hit = hits[k]
             n, rho = hit.normal, hit.lever - centre
-            closing = -((v + (w ^ rho)) @ n)
+            closing = -(velocity_at(v, w, rho, hit.on_hull, shells) @ n)
             if hit.near > 0.0 and not open_[k] and closing > tolerated:
                 if part[k] == 0.0:
                     part[k] = _part(closing) / mobility(guide, m, inertia, r, rho, n)
@@ -285,7 +325,7 @@ def apply_impulses(
         state.arm_length,
         state.arm_rate,
         state.bodies,
-        state.memory,
+        memory_with_spins(state.memory, shells),
         state.bends,
     )
     before = energy(airframe, world, contact_point, state)

@@ -53,7 +53,7 @@ from springback.simulation.measuring.record import Model
 from springback.simulation.pair.parts import carried_bodies
 from springback.simulation.pair.solids import solids_of
 from springback.vehicle.force_laws import HullSurface
-from springback.vehicle.hulls import HullSettings, no_shell
+from springback.vehicle.hulls import HullSettings
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.state import Airframe, Arm, State
 
@@ -108,10 +108,7 @@ def check_hulls(scenario: ScenarioTables) -> None:
             law = getattr(entry, name, None)
             if not isinstance(law, SurfaceSettings):
                 continue
-            if law.law == "impulse":
-                no_shell(hull, "at a surface of the impulse law", f"vehicle.hulls[{k}]")
-                continue
-            if hull.surface is None:
+            if law.law == "impulse" or hull.surface is None:
                 continue
             _check_springs(
                 hull.surface, law, f"vehicle.hulls[{k}].surface",

@@ -374,12 +374,6 @@ def compound_hull(hulls: Sequence[_Hull]) -> CompoundHull:
     return CompoundHull(NumberTable(np.array(numbers), curves), Vec(*middle.tolist()), radius)
 
 
-def no_shell(hull: _Hull, where: str, field: str) -> None:
-    """Reject a hull that turns by itself where that is not computed."""
-    if (of := hull.bearings) is not None:
-        raise problem(f"is not possible {where}", f"{field}.{of.field}")
-
-
 def hull_reach(hull: Sphere | CompoundHull | Shell, direction: Vec) -> float:
     """Largest distance of a hull's points along a unit vector, from what it is fixed to [m].
 
