@@ -34,9 +34,9 @@ from springback.contact.surfaces import Surface, slip_velocity
 from springback.dynamics.energy import about_mass_centre, energy, mass_moments
 from springback.dynamics.limbs.shell_impulse import (
     ShellImpulse,
-    shells_hit,
     jumps_of_spin,
     memory_with_spins,
+    shells_hit,
     spin_moment,
     spun,
     velocity_at,
