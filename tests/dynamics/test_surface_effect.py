@@ -13,7 +13,8 @@ import springback
 from builders.listed_rotors import canted, vehicle_with
 from oracles import models
 from springback.contact.hull_contact import body_sight
-from springback.dynamics.limbs.surface_effect import image_flow, thrusts_near
+from springback.dynamics.limbs.surface_effect import image_flow, rotors_far, rotors_near
+from springback.dynamics.motion import rates
 from springback.errors import InputError
 from springback.results.flight import fly
 from springback.scenario.model import bodies_at_start
@@ -58,8 +59,9 @@ def factors_of(model: Model, state: Any) -> Array:
     around = body_sight(model.world.obstacles, state, 0.0)
     (effect,) = model.surface_effect
     ones = (1.0,) * len(model.thrust)
-    near = thrusts_near(ones, effect, model.airframe, state.arm_length, around.obstacles)
-    return np.array(near)
+    far = rotors_far(ones)
+    near = rotors_near(far, effect, model.airframe, state.arm_length, around.obstacles)
+    return np.array(near.thrust)
 
 
 def test_the_published_formula_and_its_cap() -> None:
@@ -180,6 +182,58 @@ def axpy_array(x: Array, k1: Array, k2: Array, k3: Array, k4: Array, h: float) -
     return x + h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4)
 
 
+@pytest.mark.parametrize("listed", [False, True], ids=["arms", "listed"])
+def test_a_wall_beside_draws_by_its_line(listed: bool) -> None:
+    """Force and moment of six rotors at a tilted wall, in closed form; none of it along an axis."""
+    vehicle = with_effect(canted(0.35) if listed else None, wall_suction=0.2, wall_reach=6.0)
+    ups = np.array([one.get("axis") for one in canted(0.35 if listed else 0.0)])
+    ends = np.array([vehicle.arms.end(j) for j in range(6)])
+    normal = np.array([-0.96, 0.0, 0.28])
+    wall = {"type": "wall", "normal": normal.tolist(), "position": (-0.4 * normal).tolist(),
+            "surface": springback.WALL}  # fmt: skip
+    thrust = 2.0
+    model = Scenario(
+        vehicle=vehicle, world={"gravity": 0, "obstacles": [wall]}, thrust=thrust,
+        start={"position": [0, 0, 0]},
+    ).flight_model()  # fmt: skip
+    plain = Scenario(
+        vehicle=with_effect(canted(0.35) if listed else None),
+        world={"gravity": 0, "obstacles": [wall]}, thrust=thrust, start={"position": [0, 0, 0]},
+    ).flight_model()  # fmt: skip
+    state = still_state(vehicle.lengths())
+    drawn, still = (rates(one, state, 0.0).motion.state for one in (model, plain))
+    force, moment, felt = np.zeros(3), np.zeros(3), 0
+    for end, up in zip(ends, ups, strict=True):
+        share = max(0.0, 1.0 - (normal @ end + 0.4) / (6.0 * RADIUS))
+        pull = 0.2 * thrust * share * (-normal + (normal @ up) * up)
+        force, moment, felt = force + pull, moment + np.cross(end, pull), felt + (share > 0.0)
+    assert 0 < felt < 6
+    assert np.array(drawn.velocity) - np.array(still.velocity) == pytest.approx(
+        force / vehicle.mass, rel=1e-9, abs=1e-12
+    )
+    inertia = np.array(model.airframe.inertia)
+    for end, arm in zip(ends, model.airframe.arms, strict=True):
+        inertia = inertia + arm.mass * (end @ end * np.eye(3) - np.outer(end, end))
+    turned = np.array(drawn.angular_velocity) - np.array(still.angular_velocity)
+    assert inertia @ turned == pytest.approx(moment, rel=1e-9, abs=1e-12)
+
+
+def test_the_work_of_suction_is_in_the_ledger() -> None:
+    """A hovering vehicle drifts to the wall; without suction it stays."""
+    vehicle = vehicle_with([])
+    vehicle["propulsion"]["surface_effect"] = {"wall_suction": 0.1}
+    wall = {"type": "wall", "distance": 0.5, "surface": springback.WALL}
+    given = scenario(
+        1.0, 1.0, vehicle=vehicle, world={"obstacles": [wall]},
+        start={"position": [0.18, 0.0, 1.0]}, simulation={"duration": 1.5, "impact_step": 1e-5},
+    )  # fmt: skip
+    flight = fly(given, executor="python")
+    assert flight.columns["vx"].max() > 0.1
+    assert (flight.measures["contacts"] or 0.0) >= 1.0
+    assert flight.measures["work_thrust"] > 1e-3
+    assert abs(flight.measures["ledger_residual"] or 0.0) < 1e-6
+
+
 def test_without_the_option_nothing_changes() -> None:
     model = Scenario(**scenario(1.0, 0.1)).flight_model()
     assert len(model.surface_effect) == 1
@@ -190,9 +244,9 @@ def test_without_the_option_nothing_changes() -> None:
 
 
 def test_compiled_it_is_the_same_flight() -> None:
-    """Bit for bit, with tilted rotors, on the way to the ground and onto it."""
+    """Bit for bit, with tilted rotors that are drawn, too, on the way to the ground and onto it."""
     vehicle = vehicle_with(canted(0.3))
-    vehicle["propulsion"]["surface_effect"] = {"least_height": 0.6}
+    vehicle["propulsion"]["surface_effect"] = {"least_height": 0.6, "wall_suction": 0.1}
     given = scenario(
         0.8, 0.05, vehicle=vehicle,
         start={"position": [0.0, 0.0, 0.12], "velocity": [0.1, 0.0, -0.8], "roll": 0.1},

@@ -68,7 +68,7 @@ from springback.dynamics.limbs.arms import (
     completed_view,
     length_accelerations,
 )
-from springback.dynamics.limbs.surface_effect import thrusts_near
+from springback.dynamics.limbs.surface_effect import rotors_far, rotors_near
 from springback.dynamics.moving_obstacles import VehiclePlace, all_flags, bodies_rates
 from springback.dynamics.obstacle_views import (
     BodyView,
@@ -187,11 +187,12 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
     lengths = coordinates_of_arms(airframe.arms[0], state)
     arm_rates = rates_of_arms(airframe.arms[0], state)
     between = neighbour_load(airframe.neighbours, airframe.arms, lengths, arm_rates)
-    near = (airframe, lengths, around.obstacles)
-    thrust = fold(thrusts_near, plant.thrust, plant.surface_effect, near)
+    here = (airframe, lengths, around.obstacles)
+    near = fold(rotors_near, rotors_far(plant.thrust), plant.surface_effect, here)
     rotors = acting_rotors(
-        airframe.rotors, airframe.arms, lengths, arm_rates, thrust, plant.reaction
+        airframe.rotors, airframe.arms, lengths, arm_rates, near.thrust, plant.reaction
     )
+    listed = rotors.listed + near.suction
     pulls = tree_map(_both_tuples, (between.pulls, rotors.pulls), ())
     body, obstacles = around.body, around.obstacles
     r, omega, velocity = body.r, body.omega, body.velocity
@@ -220,10 +221,8 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
     )  # fmt: skip
     seen_bodies = touched_obstacles(plant.pushes, field_of(bodies, "seen"))
 
-    blown = aerodynamics(plant.air, velocity, r, fold(with_lift, a.thrust, rotors.listed, ()))
-    acts = ActingLoad(
-        contact, blown.force, rotors.reaction, velocity, omega, released, rotors.listed
-    )
+    blown = aerodynamics(plant.air, velocity, r, fold(with_lift, a.thrust, listed, ()))
+    acts = ActingLoad(contact, blown.force, rotors.reaction, velocity, omega, released, listed)
     whole = assemble(airframe.arms[0], airframe, a, acts)
     solved = solve(plant.guide, whole.system, r, world.gravity)
 

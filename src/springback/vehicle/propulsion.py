@@ -13,22 +13,35 @@ from springback.vehicle.rotors import Rotors
 
 
 class SurfaceEffect(NamedTuple):
-    """Constants of rotors whose thrust grows near surfaces; equal for all rotors."""
+    """Constants of rotors near surfaces; equal for all rotors."""
 
     radius: float  # R, of a disc [m]
     height: float  # of its middle from the place of the rotor, along its axis [m]
     least_height: float  # of that above a surface; nearer ones count as at this height [m]
+    suction: float = 0.0  # by a wall beside a rotor, per thrust, at no distance
+    reach: float = 1.0  # distance beyond which a wall draws nothing [m]
 
 
 class SurfaceEffectSettings(Settings):
-    """Rotors gain thrust above surfaces (Cheeseman and Bennett, ARC R. & M. 3021, 1955).
+    """Rotors gain thrust above surfaces, and walls beside them may draw them near.
 
-    Of walls beside them and of ceilings they feel nothing.
+    The gain is that of Cheeseman and Bennett, ARC R. & M. 3021, 1955.  Ceilings do nothing.
     """
 
     least_height: Annotated[float, Unit("", least=0.3)] = 0.5
     """Of a disc above a surface, in radii, below which its gain grows no more.  The formula has a
     pole at a quarter; at the chosen 0.5 the gain is a third.
+    """
+    wall_suction: Annotated[float, Unit("", least=0.0, most=1.0)] = 0.0
+    """Force towards a wall beside a rotor, per thrust, at no distance; it falls linearly to nothing
+    at ``wall_reach``.  Some 0.09 by tests of small quadrotors in a pressure chamber (Ground,
+    Ceiling and Wall Effect Evaluation of Small Quadcopters in Pressure-controlled Environments), as
+    read by others: F = ½ C ρ n² D⁴ with C = 0.02 (1 − d/(4 R)), and a thrust of 0.11 ρ n² D⁴.
+    Second hand, and of one kind of craft: hence 0 by default.
+    """
+    wall_reach: Annotated[float, Unit("", above=0.0)] = 4.0
+    """Distance of a disc's middle from a wall, in radii, beyond which that draws nothing; from the
+    same tests.
     """
 
 
@@ -64,8 +77,8 @@ class Propulsion(Settings):
     follow their commands whatever they hit.
     """
     surface_effect: Annotated[SurfaceEffectSettings | None, BeforeValidator(effect_or_none)] = None
-    """Thrust that grows above surfaces, ``true`` for defaults; without it, or with false in place
-    of a preset's, surfaces change nothing.
+    """What surfaces do to rotors: thrust that grows above them, ``true`` for defaults; without it,
+    or with false in place of a preset's, they do nothing.
     """
     battery_energy: Annotated[float, Unit("J", above=0.0)] | None = None
     """Energy of the full battery, such as ``"52 Wh"``."""
@@ -110,7 +123,12 @@ class Propulsion(Settings):
         given, radius = self.surface_effect, self.disk_radius
         if given is None or radius is None:
             return ()
-        return (SurfaceEffect(radius, self.disk_height, given.least_height * radius),)
+        return (
+            SurfaceEffect(
+                radius, self.disk_height, given.least_height * radius, given.wall_suction,
+                given.wall_reach * radius,
+            ),
+        )  # fmt: skip
 
     def rotor_stop(self, tick: float) -> NoStop | RotorStop:
         """What stops the rotors, given the period of the clock [s]."""
