@@ -280,6 +280,21 @@ def resting(gap: float = 0.0) -> Recording:
     return Recording(Path("log"), "ULog", (force,))
 
 
+def test_logs_of_two_flights_are_not_taken_for_those_of_one() -> None:
+    """The same channel twice at one time; two formats, or parts one after the other, may be one."""
+    one = whole()
+    other = replace(one, path=Path("second.toml"))
+    with pytest.raises(
+        InputError, match=r"second\.toml and .* both have .*: they are of two flights"
+    ):
+        find_impacts([one, other])
+    assert find_impacts([one, replace(other, format="another")])
+    later = replace(
+        other, channels=tuple(replace(c, times=c.times + 100.0) for c in other.channels)
+    )
+    assert find_impacts([one, later])
+
+
 def test_a_log_at_rest_with_a_gap_could_not_have_shown_an_impact() -> None:
     found = overview([resting(0.16)])
     assert found.verdict == (

@@ -73,7 +73,7 @@ def sentences(
 ) -> list[str]:
     """Warnings and reasons, most important first."""
     return [
-        *_misfit_sentences(tested),
+        *_misfit_sentences(tested, several=len(fits) > 1),
         *(text for fit in fits for text in fit.bounds),
         *_search_sentences(fits),
         *_far_from_priors(estimates),
@@ -85,12 +85,13 @@ def sentences(
     ]  # fmt: skip
 
 
-def _misfit_sentences(tested: Sequence[ChannelMisfit]) -> list[str]:
+def _misfit_sentences(tested: Sequence[ChannelMisfit], *, several: bool) -> list[str]:
     found = []
     for one in tested:
         if not one.is_misfit:
             continue
         where = "in the contact" if one.part == "contact" else "over the whole window"
+        where += f" of {one.impact}" if several else ""
         if one.probability < 1e-3:
             size, result = "smaller", "intervals are then too wide"
             if one.ratio > 1.0:
@@ -106,7 +107,8 @@ def _misfit_sentences(tested: Sequence[ChannelMisfit]) -> list[str]:
             )
     for one in tested:
         if one.outliers and one.part == "all":
-            found.append(f"{one.outliers} samples of {one.channel} are outliers")
+            of = f" of {one.impact}" if several else ""
+            found.append(f"{one.outliers} samples of {one.channel}{of} are outliers")
     return found
 
 

@@ -308,3 +308,25 @@ def refuse_without_channels(
     if not channels:
         seen = f" ({'; '.join(remarks)[:300]})" if remarks else ""
         raise InputError(f"{where}: has nothing that can be used{seen}; known are {known}")
+
+
+def refuse_several_flights(recordings: Sequence[Recording]) -> None:
+    """Refuse logs that have the same channel at the same time: they are of several flights.
+
+    Raises:
+        InputError: Naming two of them, and the channel.
+    """
+    for k, one in enumerate(recordings):
+        for other in recordings[:k]:
+            known = {c.name: c for c in other.channels if c.clock == "log"}
+            for channel in one.channels:
+                twin = known.get(channel.name)
+                if twin is None or one.format != other.format or channel.clock != "log":
+                    continue
+                (begin, end), (first, last) = channel.span, twin.span
+                if begin < last and first < end:
+                    raise InputError(
+                        f"{one.path} and {other.path} both have {channel.name} from "
+                        f"{max(begin, first):.3g} to {min(end, last):.3g} s: they are of two "
+                        "flights; a plan has one [[flights]] for each, other commands take one at a time"
+                    )

@@ -29,6 +29,7 @@ from springback.logs.recording import (
     Array,
     LogChannel,
     Recording,
+    refuse_several_flights,
 )
 
 #: Contact of the paper's rigid vehicle at a wall [s] (its Table III): the shortest that is meant.
@@ -114,6 +115,7 @@ def find_impacts(recordings: Sequence[Recording], *, drops: bool = False) -> lis
         drops: True for drop tests: the whole specific force counts, and normals that point up;
             bounces are refused.
     """
+    refuse_several_flights(recordings)
     sources = _sources(recordings)._replace(drops=drops)
     candidates: list[_Candidate] = []
     if sources.accelerometer is not None:

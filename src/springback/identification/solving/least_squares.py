@@ -121,13 +121,12 @@ def solve(
         if not len(open_ones):
             break
         tries = dampings[open_ones, None] * np.array(FACTORS)
-        asked = np.array([
+        asked = np.array(
             [
-                _step(points[k], residuals[k], slopes[k], one, active[k], edges[:, k], farthest)
-                for one in row
+                _steps(points[k], residuals[k], slopes[k], row, active[k], edges[:, k], farthest)
+                for k, row in zip(open_ones, tries, strict=True)
             ]
-            for k, row in zip(open_ones, tries, strict=True)
-        ])  # fmt: skip
+        )
         found = evaluate(asked.reshape(-1, numbers)).reshape(*asked.shape[:2], -1)
         there = _costs(found)
         moved = []
@@ -162,25 +161,39 @@ def _costs(residuals: Array) -> Array:
     return np.where(np.isfinite(total), total, np.inf)
 
 
-def _step(
+def _steps(
     point: Array,
     residuals: Array,
     slopes: Array,
-    damping: float,
+    dampings: Array,
     active: Any,
     edges: Any,
     farthest: float,
-) -> Array:
-    """The point after a damped step, within the bounds."""
+) -> list[Array]:
+    """The points after steps of some dampings, within the bounds."""
     free = np.asarray(active) & ~edges.all(axis=0)
-    step = np.zeros_like(point)
+    j = np.ascontiguousarray(slopes[:, free])
+    square, gradient = np.zeros((len(point), len(point))), np.zeros_like(point)
+    square[np.ix_(free, free)], gradient[free] = j.T @ j, j.T @ residuals
+    return [_step(point, square, gradient, one, free, edges, farthest) for one in dampings]
+
+
+def _step(
+    point: Array,
+    square: Array,
+    gradient: Array,
+    damping: float,
+    moving: Any,
+    edges: Any,
+    farthest: float,
+) -> Array:
+    """The point after a damped step, by JᵀJ and Jᵀr."""
+    free, step = moving.copy(), np.zeros_like(point)
     for _ in range(2):  # once more without those that a bound stops
-        j = slopes[:, free]
-        square = j.T @ j
-        scale = np.diag(square) + 1e-12
-        gradient = j.T @ residuals
+        whole = square[np.ix_(free, free)]
+        damped = whole + damping * np.diag(np.diag(whole) + 1e-12)
         step[:] = 0.0
-        step[free] = -np.linalg.solve(square + damping * np.diag(scale), gradient)
+        step[free] = -np.linalg.solve(damped, gradient[free])
         up, down = (point >= farthest) | edges[0], (point <= -farthest) | edges[1]
         stopped = free & ((up & (step > 0.0)) | (down & (step < 0.0)))
         if not stopped.any():
