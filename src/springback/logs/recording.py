@@ -328,5 +328,5 @@ def refuse_several_flights(recordings: Sequence[Recording]) -> None:
                     raise InputError(
                         f"{one.path} and {other.path} both have {channel.name} from "
                         f"{max(begin, first):.3g} to {min(end, last):.3g} s: they are of two "
-                        "flights; a plan has one [[flights]] for each, other commands take one at a time"
+                        "flights; a plan has one [[flights]] for each, other commands take one"
                     )

@@ -76,7 +76,7 @@ def fit_impact(
         spread = SPREAD * (2.0 * sobol.random(1 << (starts - 1).bit_length()) - 1.0)
         first[1:, free] = spread[: starts - 1]
     _refuse_unflyable(problem, first[0])
-    rough = solve(problem, first, farthest=FARTHEST)
+    rough = solve(problem, first, farthest=FARTHEST, central=False)
     if not np.isfinite(rough.costs).any():
         raise InputError(
             f"{problem.impact.name}: no flight of the scenario can be flown from the logged start; "

@@ -62,23 +62,34 @@ class _Differences(NamedTuple):
     refused: Any  # numbers that cannot be larger, and smaller, shape (2, points, numbers)
 
 
-def _differences(evaluate: Residuals, points: Array, active: Any) -> _Differences:
+def _differences(
+    evaluate: Residuals, points: Array, active: Any, *, central: bool = True
+) -> _Differences:
+    """Residuals, slopes and edges; slopes to one side where both are not wanted or cannot be."""
     count, numbers = points.shape
     moving = np.flatnonzero(active)
-    steps = np.zeros((2 * len(moving), numbers))
-    steps[np.arange(len(moving)), moving] = DIFFERENCE
-    steps[len(moving) + np.arange(len(moving)), moving] = -DIFFERENCE
-    asked = np.concatenate([points[:, None], points[:, None] + steps[None]], axis=1)
-    found = evaluate(asked.reshape(-1, numbers)).reshape(count, 1 + 2 * len(moving), -1)
+    steps = np.zeros((1 + 2 * len(moving), numbers))
+    steps[1 + np.arange(len(moving)), moving] = DIFFERENCE
+    steps[1 + len(moving) + np.arange(len(moving)), moving] = -DIFFERENCE
+
+    def at(chosen: Array) -> Array:
+        asked = points[:, None] + chosen[None]
+        return evaluate(asked.reshape(-1, numbers)).reshape(count, len(chosen), -1)
+
+    found = at(steps if central else steps[: 1 + len(moving)])
+    if not (central or np.isfinite(found[:, 1:]).all()):
+        found = np.concatenate([found, at(steps[1 + len(moving) :])], axis=1)
     slopes = np.zeros((count, found.shape[2], numbers))
     here, ahead, behind = found[:, :1], found[:, 1 : 1 + len(moving)], found[:, 1 + len(moving) :]
-    bad: Any = ~np.isfinite(np.stack([ahead, behind])).all(axis=3)
-    one_sided = np.where(bad[0][:, :, None], here - behind, ahead - here) / DIFFERENCE
-    either = (bad[0] | bad[1])[:, :, None]
-    told = np.where(either, one_sided, (ahead - behind) / (2.0 * DIFFERENCE))
-    slopes[:, :, moving] = told.transpose(0, 2, 1)
     refused = np.zeros((2, count, numbers), dtype=bool)
-    refused[:, :, moving] = bad
+    told = (ahead - here) / DIFFERENCE
+    if behind.shape[1]:
+        bad: Any = ~np.isfinite(np.stack([ahead, behind])).all(axis=3)
+        one_sided = np.where(bad[0][:, :, None], (here - behind) / DIFFERENCE, told)
+        either = (bad[0] | bad[1])[:, :, None]
+        told = np.where(either, one_sided, (ahead - behind) / (2.0 * DIFFERENCE))
+        refused[:, :, moving] = bad
+    slopes[:, :, moving] = told.transpose(0, 2, 1)
     return _Differences(found[:, 0], slopes, refused)
 
 
@@ -92,6 +103,7 @@ def solve(
     enough: float = ENOUGH,
     damping: float = DAMPING,
     together: bool = True,
+    central: bool = True,
 ) -> Solution:
     """Solve problems that differ in where they start and in what is held.
 
@@ -105,13 +117,15 @@ def solve(
         enough: A problem is solved once its cost falls by less than this in a round.
         damping: First damping.
         together: True if all seek the same optimum: those far above the best are given up.
+        central: False takes differences to one side, at half the flights: what is found is then as
+            near to an optimum as its cost tells, but not as its gradient does.
     """
     points = np.clip(np.array(starts, dtype=float), -farthest, farthest)
     problems, numbers = points.shape
     kept = np.zeros(numbers, dtype=bool) if held is None else np.asarray(held, dtype=bool)
     active = np.broadcast_to(~kept, points.shape)
     dampings = np.full(problems, damping)
-    residuals, slopes, edges = _differences(evaluate, points, active.any(axis=0))
+    residuals, slopes, edges = _differences(evaluate, points, active.any(axis=0), central=central)
     costs, along_edge = _costs(residuals), np.zeros(problems, dtype=int)
     done = ~np.isfinite(costs)
     for turn in range(rounds):
@@ -147,7 +161,7 @@ def solve(
         again = [k for k in moved if not done[k]]
         if again and turn + 1 < rounds:
             residuals[again], slopes[again], now = _differences(
-                evaluate, points[again], active[again].any(axis=0)
+                evaluate, points[again], active[again].any(axis=0), central=central
             )
             for place, k in enumerate(again):
                 if (now[:, place] & ~edges[:, k]).any():  # what stops it no longer damps the rest

@@ -108,7 +108,7 @@ def profile_likelihoods(
             held[row, end.place] = True
         found = solve(
             evaluate, starts, farthest=FARTHEST, held=held, rounds=FITTING, enough=FITTED,
-            damping=1e-6, together=False,
+            damping=1e-6, together=False, central=False,
         )  # fmt: skip
         if found.costs.min() < cost - BETTER:
             return _profiles(evaluate, point, ends, told), found.points[int(found.costs.argmin())]
