@@ -283,21 +283,24 @@ def is_hinged(arm: ArmShape) -> bool:
 class LatchPlace(NamedTuple):
     """Where the two faces of a latch are at one instant; world [m]."""
 
-    on_body: Array
+    on_body: Array  # of a second joint: on what the first one carries
     on_arm: Array
     is_open: bool
 
 
 def latches(arms: Sequence[ArmShape], now: SceneInstant) -> list[LatchPlace]:
-    """Faces of the latches of arms: together while the arm is free."""
+    """Faces of the latches of arms: together while their joint is free."""
     found = []
-    for arm, length in zip(arms, now.lengths.tolist(), strict=True):
+    for j, (arm, length) in enumerate(zip(arms, now.lengths.tolist(), strict=True)):
+        free, inner = (arm.path(np.array([one])) for one in (arm.length, length))
+        whole = arm.path(np.array([length]), np.array([now.bend(j)]))
         for latch in arm.latch:
-            free, there = (arm.path(np.array([one])) for one in (arm.length, length))
-            face = np.array(latch.face)
-            moved = there.end[0] + there.turn[0] @ (face - free.end[0])
-            held, moving = now.position + np.array([face, moved]) @ now.rotation.T
-            found.append(LatchPlace(held, moving, arm.is_open(length)))
+            lever = np.array(latch.face) - free.end[0]
+            holds, moves = (inner, whole) if latch.joint else (free, inner)
+            faces = np.array([path.end[0] + path.turn[0] @ lever for path in (holds, moves)])
+            held, moving = now.position + faces @ now.rotation.T
+            is_open = latch.is_open(arm.length - length, now.bend(j))
+            found.append(LatchPlace(held, moving, is_open))
     return found
 
 
