@@ -292,14 +292,11 @@ def latches(arms: Sequence[ArmShape], now: SceneInstant) -> list[LatchPlace]:
     """Faces of the latches of arms: together while their joint is free."""
     found = []
     for j, (arm, length) in enumerate(zip(arms, now.lengths.tolist(), strict=True)):
-        free, inner = (arm.path(np.array([one])) for one in (arm.length, length))
-        whole = arm.path(np.array([length]), np.array([now.bend(j)]))
+        bend = now.bend(j)
         for latch in arm.latch:
-            lever = np.array(latch.face) - free.end[0]
-            holds, moves = (inner, whole) if latch.joint else (free, inner)
-            faces = np.array([path.end[0] + path.turn[0] @ lever for path in (holds, moves)])
+            faces = arm.faces(latch, length, bend)
             held, moving = now.position + faces @ now.rotation.T
-            is_open = latch.is_open(arm.length - length, now.bend(j))
+            is_open = latch.is_open(arm.length - length, bend)
             found.append(LatchPlace(held, moving, is_open))
     return found
 

@@ -86,6 +86,20 @@ class ArmShape(NamedTuple):
         pressed = self.length - length
         return max(abs(pressed), abs(bend)) if self.joint else pressed
 
+    def faces(self, latch: LatchShape, length: float, bend: float) -> Array:
+        """Both faces of a latch, on what carries its joint and on the arm, body axes [m].
+
+        Args:
+            latch: One of its latches.
+            length: Of the arm [m].
+            bend: Way of its second joint [m].
+        """
+        ways = ((self.length, 0.0), (length, 0.0), (length, bend))
+        paths = [self.path(np.array([first]), np.array([second])) for first, second in ways]
+        lever = np.array(latch.face) - paths[0].end[0]
+        pair = paths[latch.joint : latch.joint + 2]
+        return np.array([path.end[0] + path.turn[0] @ lever for path in pair])
+
     def pivots(self, length: float) -> list[Array]:
         """Hinges at a length, from the main body on, body axes [m]."""
         found = [np.array(joint.anchor) for joint in self.joint if joint.is_hinge]
