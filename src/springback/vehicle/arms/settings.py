@@ -26,7 +26,6 @@ from springback.vehicle.arms.joints import (
     Joint,
     JointSpring,
     path_point,
-    preload_strain,
 )
 from springback.vehicle.arms.neighbours import (
     NeighbourSettings,
@@ -34,7 +33,6 @@ from springback.vehicle.arms.neighbours import (
     NeighbourSprings,
     next_of,
 )
-from springback.vehicle.state import Bend
 
 #: Upper limit, to catch typing errors (chosen): a flight is compiled for each number of arms.
 MOST_ARMS = 32
@@ -257,16 +255,6 @@ class Arms(Settings):
             stop_dissipation=self.at("stop_dissipation", j), compliance=1.0 if moves else 0.0,
         )  # fmt: skip
 
-    def bends(self) -> tuple[Bend, ...]:
-        """Second coordinates at rest: free, but for a preload; empty for arms on one joint."""
-        joints = [self.second_joint(j) for j in range(len(self.directions))]
-        found = []
-        for one in (joint for joint in joints if joint is not None):
-            strained = one.compliance > 0.0 and one.spring.preload > 0.0
-            given = (one.spring, one.stiffness, one.stop_stiffness)
-            found.append(Bend(preload_strain(*given) if strained else 0.0, 0.0))
-        return tuple(found)
-
     def stiffest(self, j: int) -> list[tuple[float, float, float]]:
         """Of each joint of arm ``j`` bounds for steps: stiffness, damping, mass [N/m, N s/m, kg].
 
@@ -348,22 +336,6 @@ class Arms(Settings):
             own: float = self.at("stiffness", j)
             return own
         return 0.0 if self.joint.table else self.joint.stiffness_of(self.radius(j), j)
-
-    def check_compression(self, given: PerArm) -> None:
-        """Reject arms that begin beyond their travel, and rigid ones that do not begin free."""
-        count = len(self.directions)
-        if isinstance(given, tuple) and len(given) != count:
-            raise problem(f"has {len(given)} entries for {count} arms", "start.compression")
-        for j in range(count):
-            pressed = given[j] if isinstance(given, tuple) else given
-            low, high = self.travel(j) if self.at("compliant", j) else (0.0, 0.0)
-            if not low <= pressed <= high:
-                what = "travel" if self.at("compliant", j) else "travel, as it is rigid"
-                raise problem(
-                    f"of arm {j + 1} must be within its {what}, {low:.6g} to {high:.6g} m "
-                    f"(got {pressed:g} m)",
-                    "start.compression",
-                )
 
     def spring(self, j: int) -> JointSpring:
         """What the spring of arm ``j`` has besides its stiffness."""
