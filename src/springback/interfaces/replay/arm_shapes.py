@@ -157,5 +157,6 @@ def _latch_shapes(arm: JointedArm | BentArm) -> tuple[LatchShape, ...]:
             face = path.end + LATCHED[number] * (Vec(*shape.anchor) - path.end)
         else:
             face = path.end - (COLLAR * norm(path.end)) * path.direction
-        found += [LatchShape(tuple(face), latch.travel, number) for latch in one.spring.latch]
+        held = [latch for latch in one.spring.latch if latch.force > 0.0]
+        found += [LatchShape(tuple(face), latch.travel, number) for latch in held]
     return tuple(found)

@@ -19,6 +19,7 @@ from springback.vehicle.arms.joint_settings import (
     SecondHinge,
     SecondSlide,
     SlideSettings,
+    flags,
     length_of,
 )
 from springback.vehicle.arms.joints import (
@@ -47,17 +48,6 @@ LEAST_INDEPENDENCE = 0.1
 WAYS = 9
 #: Fields that a joint has in place of those of an arm.
 OF_SLIDES = ("stiffness", "damping", "stroke")
-
-
-def _flags(value: Any) -> bool | tuple[bool, ...]:
-    """One boolean, or one for each arm."""
-    if isinstance(value, bool):
-        return value
-    if isinstance(value, list | tuple) and all(isinstance(entry, bool) for entry in value):
-        return tuple(value)
-    raise problem(
-        f"must be true or false, or a list of them, one for each arm (got {shown_value(value)})"
-    )
 
 
 def _signs(value: Any) -> tuple[int, ...] | None:
@@ -89,7 +79,7 @@ class Arms(Settings):
     """Radius of the circle around each rotor: of its cage, or of the guard that hulls describe."""
     cages: bool = True
     """False: these circles touch nothing, only hulls do; pilots still locate contacts by them."""
-    compliant: Annotated[bool | tuple[bool, ...], BeforeValidator(_flags)] = True
+    compliant: Annotated[bool | tuple[bool, ...], BeforeValidator(flags)] = True
     """True: the arm slides against its spring.  False: it is locked, the vehicle rigid there."""
     stiffness: Annotated[PerArm, Unit("N/m", above=0.0)] = 5e3
     damping: Annotated[PerArm, Unit("N s/m", least=0.0)] = 0.0
@@ -231,7 +221,7 @@ class Arms(Settings):
         if self.joint is None or self.joint.second is None:
             return None
         path = self.joint.second.path(self.end(j), self._axes(j), j)
-        radius, (low, high) = radius_of(path), self.joint.second.travel
+        radius, (low, high) = radius_of(path), self.joint.second.travel_of(j)
         return path, (low * radius, high * radius)
 
     def second_travel(self, j: int) -> float:
@@ -248,7 +238,7 @@ class Arms(Settings):
         radius = radius_of(path)
         return SecondJoint(
             joint=path, spring=second.spring(radius, j),
-            stiffness=0.0 if second.table else second.stiffness_of(radius, j),
+            stiffness=second.linear_of(radius, j),
             resting_stiffness=second.secant_of(radius, j), damping=second.damping_of(radius, j),
             length=0.0, shortest=-high, longest=-low,
             stop_stiffness=self.at("stop_stiffness", j) if self.end_stops else 0.0,
@@ -322,7 +312,7 @@ class Arms(Settings):
         """Travel of the end of arm ``j``, from its longest to pressed in, along its path [m]."""
         if self.joint is None:
             return 0.0, self.at("stroke", j)
-        low, high = self.joint.travel
+        low, high = self.joint.travel_of(j)
         radius = self.radius(j)
         return low * radius, high * radius
 
@@ -335,7 +325,7 @@ class Arms(Settings):
         if self.joint is None:
             own: float = self.at("stiffness", j)
             return own
-        return 0.0 if self.joint.table else self.joint.stiffness_of(self.radius(j), j)
+        return self.joint.linear_of(self.radius(j), j)
 
     def spring(self, j: int) -> JointSpring:
         """What the spring of arm ``j`` has besides its stiffness."""
@@ -425,7 +415,7 @@ class Arms(Settings):
             return {
                 "stiffness": lambda: self.joint.secant_of(radius, j),
                 "damping": lambda: self.joint.damping_of(radius, j),
-                "stroke": lambda: self.joint.travel[1] * radius,
+                "stroke": lambda: self.joint.travel_of(j)[1] * radius,
             }[name]()
         value = getattr(self, name)
         return value[j] if isinstance(value, tuple) else value
