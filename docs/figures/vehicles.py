@@ -54,7 +54,10 @@ def main() -> None:
 
 
 def draw(ax: Axes, vehicle: Vehicle) -> None:
-    """A vehicle from above and from the side; arms that yield are thick, from their hinges on."""
+    """A vehicle from above and from the side.
+
+    Arms that yield are thick, from their hinges on; a shell that turns by itself is dashed.
+    """
     arms = arm_shapes(vehicle.airframe(), vehicle)
     lengths = np.array([arm.length for arm in arms])
     still = np.zeros((len(arms), 3))
@@ -78,7 +81,8 @@ def draw(ax: Axes, vehicle: Vehicle) -> None:
         for latch in latches(arms, now):
             ax.plot(*view(latch.on_body[None]).T, "s", color=INK, ms=3, **put)
         for shape in hull_shapes(vehicle.airframe(), vehicle):
-            ax.plot(*hull_outline(shape, now, view).T, color=TOUCHES, lw=1.4, **put)
+            line = "--" if vehicle.has_shell else "-"
+            ax.plot(*hull_outline(shape, now, view).T, line, color=TOUCHES, lw=1.4, **put)
     ax.set_title(f"{vehicle.name}\n{1e3 * vehicle.mass:.0f} g", fontsize=9)
 
 

@@ -9,6 +9,7 @@ error states the value, its unit and the allowed range.  Text is parsed by `spri
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Annotated, Any, TypeAlias
 
@@ -132,8 +133,8 @@ class Unit:
     """SI unit and range of a field of settings, for `typing.Annotated`.
 
     The field is a float, two floats (`Pair`), three along x, y, z
-    (`Triple`), a quaternion (`Quadruple`), one for each arm (`PerArm`), or three for all or each
-    (`TriplePerArm`).
+    (`Triple`), a quaternion (`Quadruple`), one for each arm (`PerArm`), or two or three for all or
+    each (`PairPerArm`, `TriplePerArm`).
     """
 
     unit: str
@@ -181,14 +182,11 @@ class Unit:
     def _one_or_each(self, value: Any) -> float | tuple[float, ...]:
         return tuple(map(self.read, value)) if isinstance(value, list | tuple) else self.read(value)
 
-    def _triple_or_each(self, value: Any) -> tuple[Any, ...]:
-        if isinstance(value, list | tuple) and value and isinstance(value[0], list | tuple):
-            found = []
-            for k, one in enumerate(value):
-                with naming(f"[{k}]"):
-                    found.append(self.triple(one))
-            return tuple(found)
-        return self.triple(value)
+    def _triple_or_each(self, value: Any) -> Any:
+        return _or_each(self.triple, value)
+
+    def _pair_or_each(self, value: Any) -> Any:
+        return _or_each(self.pair, value)
 
     def __get_pydantic_core_schema__(
         self, source: Any, handler: GetCoreSchemaHandler
@@ -196,15 +194,28 @@ class Unit:
         """Numbers are read in place of pydantic."""
         readers = {
             Pair: self.pair, Triple: self.triple, Quadruple: self.quadruple,
-            PerArm: self._one_or_each, TriplePerArm: self._triple_or_each,
+            PerArm: self._one_or_each, PairPerArm: self._pair_or_each,
+            TriplePerArm: self._triple_or_each,
         }  # fmt: skip
         return no_info_plain_validator_function(readers.get(source, self.read))
+
+
+def _or_each(read: Callable[[Any], tuple[float, ...]], value: Any) -> Any:
+    """Several numbers, or a list of such, one for each arm."""
+    if isinstance(value, list | tuple) and value and isinstance(value[0], list | tuple):
+        found = []
+        for k, one in enumerate(value):
+            with naming(f"[{k}]"):
+                found.append(read(one))
+        return tuple(found)
+    return read(value)
 
 
 Pair: TypeAlias = tuple[float, float]
 Triple: TypeAlias = tuple[float, float, float]
 Quadruple: TypeAlias = tuple[float, float, float, float]
 PerArm: TypeAlias = float | tuple[float, ...]
+PairPerArm: TypeAlias = Pair | tuple[Pair, ...]
 TriplePerArm: TypeAlias = Triple | tuple[Triple, ...]
 
 Mass = Annotated[float, Unit("kg", above=0.0)]

@@ -9,12 +9,14 @@ import pytest
 from scipy.integrate import quad, solve_ivp
 from scipy.optimize import brentq
 
+from builders.cases import nonempty
 from springback.contact.hulls.series import hull_law, in_series
 from springback.contact.laws.hysteresis import (
     HystereticLoad,
     Pressing,
     hysteretic_energy,
     hysteretic_load,
+    next_corner,
     next_memory,
     no_point,
 )
@@ -182,6 +184,23 @@ def test_a_foam_yields_and_is_pressed_together() -> None:
     assert going_in(of, 6e-3) == pytest.approx(50.0 + 200.0 * 3.5e-3, rel=1e-9)
     top = 50.0 + 200.0 * 9.5e-3
     assert going_in(of, 2e-2) == pytest.approx(top + 2e5 * 8e-3, rel=1e-9)
+
+
+def test_the_next_corner_is_the_nearest_point_of_the_curve_ahead() -> None:
+    """Either way, and not one that has been reached; none beyond the last, or of a power law."""
+    points = [0.0, 1e-3, 4e-3, 1e-2]
+    table = {"law": "table", "loading": [[x, 5e3 * x + 1e6 * x * x] for x in points]}
+    [law] = surface(**table).hysteresis
+    for k, at in enumerate(nonempty(points)):
+        ahead, behind = points[k + 1 : k + 2] or [0.0], points[max(k - 1, 0)]
+        for near in (at - 1e-13, at, at + 1e-13):
+            assert next_corner(law, near, 2.0) == ahead[0]
+            assert next_corner(law, near, -2.0) == behind
+    assert next_corner(law, 2e-3, 1.0) == 4e-3
+    assert next_corner(law, 2e-3, -1.0) == 1e-3
+    assert next_corner(law, 2e-2, -1.0) == 1e-2
+    [power] = surface(**LAWS["linear"]).hysteresis
+    assert next_corner(power, 2e-3, 1.0) == 0.0
 
 
 def test_one_mass_bounces_with_the_same_restitution_at_any_speed() -> None:

@@ -142,10 +142,11 @@ OWN: dict[str, dict[str, Any]] = {
     "table": LAWS["table"],
 }
 TURN = math.radians(120.0)
-#: Finer than usual where the law's own kinks, of a whole guard, leave more than 1e-6 open.
-STEPS = {"softening": "0.05 ms", "constant-restitution": "0.02 ms", "table": "0.05 ms"}
-#: Steps do not land on the knees of a foam: a whole guard, too, leaves 7e-6 open here.
-OPEN = {"foam": 2e-5}
+#: Finer than usual where the law's own kinks, of a whole guard, leave more than 1e-6 open; of the
+#: foam the break itself leaves 1.9e-6 at 0.1 ms, in proportion to the step (a whole one 3e-8).
+STEPS = {
+    "softening": "0.05 ms", "constant-restitution": "0.02 ms", "table": "0.05 ms", "foam": "0.02 ms",
+}  # fmt: skip
 
 
 def at_a_pole(guard: str, law: str, **limits: Any) -> dict[str, Any]:
@@ -179,7 +180,7 @@ def test_under_every_law_the_energy_closes(guard: str, law: str) -> None:
     row = first_broken(flight, 1)
     assert flight.columns["stiffness1"][row] == shares[0]
     assert flight.columns["fn1"][row] < 0.6 * flight.columns["fn1"][row - 1]
-    assert abs(value(flight, "ledger_residual")) < OPEN.get(law, 1e-6)
+    assert abs(value(flight, "ledger_residual")) < 1e-6
     for name in ("x", "fn1"):  # the last steps before the break land on it
         assert np.array_equal(flight.columns[name][: row - 6], whole.columns[name][: row - 6])
     assert value(flight, "penetration") > value(whole, "penetration")

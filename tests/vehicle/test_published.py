@@ -10,6 +10,7 @@ import pytest
 from builders.cases import nonempty
 from springback.kernels.vectors import Quat, Vec, rotation
 from springback.results.flight import Flight, fly
+from springback.simulation.measuring.measures import Outcome
 from springback.vehicle.arms.bent import BentCoordinates
 from springback.vehicle.library import OF_OTHERS, VEHICLES
 from springback.vehicle.state import arm_pose
@@ -81,6 +82,54 @@ def test_circles_that_are_no_cages_touch_nothing() -> None:
     assert c["x"][0] == pytest.approx(1.0 - 0.2 - 1e-4, abs=1e-6)
     assert max(c[f"fn{j}"].max() for j in range(1, 5)) == 0.0
     assert c["fn_body"].max() > 0.0
+
+
+def test_a_gimbal_that_holds_makes_it_the_fixed_sphere() -> None:
+    """The shell's inertia is taken off the body's: together they are the vehicle without a gimbal.
+
+    The way there goes as one over the damping of the bearings.
+    """
+    # Obliquely, with friction, so that the wall turns it.
+    hit = {"velocity": [1.5, 0.8, 0.4]}
+    ends = []
+    for damping in (None, 5.0, 50.0):
+        tables = into_a_wall("caged-sphere", **hit)
+        if damping is not None:
+            tables = into_a_wall("caged-sphere-gimbal", **hit)
+            hull = VEHICLES["caged-sphere-gimbal"].vehicle.hulls[0]
+            shell = hull.model_dump(exclude_none=True)
+            shell["gimbal"]["damping"] = damping
+            tables["vehicle"] = {"preset": "caged-sphere-gimbal", "hulls": [shell]}
+        tables["world"]["obstacles"] = [{**WALL, "surface": {"preset": "wall", "friction": 0.5}}]
+        tables["simulation"]["duration"] = 0.02
+        flight = fly(tables, executor="python")
+        ends.append(np.array([flight.columns[f"w{axis}"][-1] for axis in "xyz"]))
+    fixed, loose, held = ends
+    turning = np.abs(fixed).max()
+    assert turning > 1.0
+    assert np.abs(held - fixed).max() < 0.01 * turning
+    assert np.abs(loose - fixed).max() > 5.0 * np.abs(held - fixed).max()
+
+
+def test_a_pilot_recovers_with_the_sphere_in_its_gimbal() -> None:
+    """Into a wall turned by 20 degrees, at 3 m/s: the shell is turned by it, and the ledger closes."""
+    wall = {
+        "type": "wall", "position": [3.0, 0.0, 0.0], "normal": [-np.cos(0.35), np.sin(0.35), 0.0],
+        "surface": {"preset": "wall", "friction": 0.5},
+    }  # fmt: skip
+    tables = {
+        "vehicle": "caged-sphere-gimbal",
+        "world": {"obstacles": [wall]},
+        "reference": {"type": "run-up", "speed": 3.0},
+        "recovery": {},
+        "simulation": {"duration": 6.0},
+    }
+    flight = fly(tables)
+    assert flight.outcome is Outcome.RECOVERED
+    spin = np.array([flight.columns[f"shell_w{axis}"] for axis in "xyz"])
+    assert np.abs(spin[2]).max() > 3.0
+    assert np.abs(spin[:2]).max() < np.abs(spin[2]).max()
+    assert abs(flight.measures["ledger_residual"] or 0.0) < 1e-6
 
 
 def test_each_carries_itself() -> None:

@@ -149,7 +149,7 @@ export class Robot {
       else if (path.second) parts.middle = this.#onTwo(path, tools);
       else if (path.isHinge) this.#hinge(path, tools);
       else Object.assign(parts, this.#slide(arm, path, tools));
-      parts.latches = arm.latch.map((latch) => this.#latch(latch, path, { ...tools, end: parts.middle ?? end, paint, colours }));
+      parts.latches = arm.latch.map((latch) => this.#latch(latch, path, { ...tools, middle: parts.middle, paint, colours }));
     } else {
       frame.rotation.z = azimuth;
       Object.assign(parts, this.#planar(arm, tools));
@@ -298,8 +298,12 @@ export class Robot {
     return middle;
   }
 
-  /** A latch: a face on what moves, and one before it on the main body, held from the joint. */
-  #latch(latch, path, { frame, end, metal, unit, paint, colours }) {
+  /** A latch: a face on what moves, and one before it on what carries the joint, held from there. */
+  #latch(latch, whole, { frame, end, middle, metal, unit, paint, colours }) {
+    const isSecond = latch.joint === 1;
+    const path = isSecond ? whole.second : whole;
+    const [carrier, mover] = isSecond ? [middle ?? frame, end] : [frame, middle ?? end];
+    const origin = carrier === frame ? new THREE.Vector3() : whole.start; // from which places in the carrier count
     const face = new THREE.Vector3(...latch.face);
     const thick = 0.006 * unit;
     const glow = paint(colours.dark);
@@ -313,14 +317,14 @@ export class Robot {
     const [held, moving] = [plate(), plate()];
     held.quaternion.copy(towards);
     moving.quaternion.copy(towards);
-    held.position.copy(face).addScaledVector(along, 1.1 * thick);
-    moving.position.copy(face).sub(path.start);
+    held.position.copy(face).addScaledVector(along, 1.1 * thick).sub(origin);
+    moving.position.copy(face).sub(whole.start);
     const bracket = new THREE.Mesh(rod(0.0028 * unit, 8), metal);
-    const foot = path.anchor.clone().addScaledVector(along, path.isHinge ? thick : 0);
+    const foot = path.anchor.clone().addScaledVector(along, path.isHinge ? thick : 0).sub(origin);
     bracket.scale.x = Math.max(foot.distanceTo(held.position), 1e-6);
-    frame.add(held, laid(bracket, foot, held.position));
-    end.add(moving);
-    return { glow, held, moving, travel: latch.travel };
+    carrier.add(held, laid(bracket, foot, held.position));
+    mover.add(moving);
+    return { glow, held, moving, travel: latch.travel, isSecond };
   }
 
   /** Where springs between arms are drawn, from end to end, and the faces of latches; as `ends`. */
@@ -363,7 +367,8 @@ export class Robot {
       else arm.end.position.x = length;
       if (arm.middle) arm.path.at(length, arm.middle.position, arm.middle.quaternion);
       for (const latch of arm.latches ?? []) {
-        latch.glow.color.copy(arm.free - pose.armLengths[j] > latch.travel ? this.open : this.shut);
+        const pressed = latch.isSecond ? -(pose.bends[j] ?? 0) : arm.free - pose.armLengths[j];
+        latch.glow.color.copy(pressed > latch.travel ? this.open : this.shut);
       }
       arm.shown = length;
       arm.bend = bend;

@@ -8,9 +8,10 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from springback.contact.cage import LANDED, FaceMotion
+from springback.contact.laws.hysteresis import next_corner
 from springback.contact.laws.step_bounds import ContactStiffness
 from springback.contact.loads import CageContact, ContactLoad
-from springback.contact.surfaces import Surface, slip_velocity
+from springback.contact.surfaces import Hysteresis, Surface, slip_velocity
 from springback.dynamics.crossing import NO_CROSSING, Crossing, crossing, sooner
 from springback.kernels.compiler import generic, kernel
 from springback.kernels.trees import field_of, fold, maximum, minimum, replace, tree_map, tree_sum
@@ -150,9 +151,20 @@ def _or_deepest(so_far: Crossing, point: PressedPoint, met: CageContact) -> Cros
 
 
 @kernel
+def _or_corner(so_far: Crossing, law: Hysteresis, met: CageContact) -> Crossing:
+    corner = next_corner(law, -met.gap, -met.rate)
+    return sooner(so_far, crossing(corner + met.gap, met.rate)) if corner > 0.0 else so_far
+
+
+@kernel
 def crossing_of(met: CageContact) -> Crossing:
-    """Crossing at which a gap closes or opens, or is as deep as it was before."""
-    return fold(_or_deepest, crossing(met.gap, met.rate), met.pressed, (met,))
+    """Crossing at which a gap closes or opens, or the force has a corner.
+
+    That is where a contact is as deep as it was before, and at the points of a force curve.
+    """
+    alone = crossing(met.gap, met.rate)
+    as_deep = fold(_or_deepest, alone, met.pressed, (met,))
+    return fold(_or_corner, as_deep, met.surface.hysteresis, (met,))
 
 
 @kernel

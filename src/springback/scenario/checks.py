@@ -32,7 +32,7 @@ from springback.kernels.vectors import Vec, norm
 from springback.scenario.avionics import devices_of
 from springback.scenario.model import (
     RING_ROUNDING,
-    check_shell_spin,
+    check_parts_at_start,
     settle_step,
     thrusts_of,
     true_body,
@@ -78,7 +78,7 @@ def check_tables(scenario: ScenarioTables, build: Build = plain_build) -> None:
     check_meshes(s.world.obstacles)
     thrust = build(thrusts_of, s.vehicle, s.world.gravity, s.thrust, s.reference is not None)
     check_slider(s)
-    check_shell_spin(s.start, s.vehicle)
+    check_parts_at_start(s.start, s.vehicle)
     body = build(true_body, s.vehicle, s.model_error, s.payload, build)
     build(check_steps, s.simulation, s.vehicle)
     rows = s.thrust.values if isinstance(s.thrust, ThrustSettings) else (thrust,)
@@ -86,8 +86,7 @@ def check_tables(scenario: ScenarioTables, build: Build = plain_build) -> None:
 
 
 def check_joints(scenario: ScenarioTables) -> None:
-    """Reject what is defined for arms in the body plane alone, and arms out of their travel."""
-    scenario.vehicle.arms.check_compression(scenario.start.compression)
+    """Reject what is defined for arms in the body plane alone."""
     if not scenario.vehicle.arms.is_planar and scenario.model.contact_point == "paper":
         raise problem(
             "must be ring for arms on joints, or whose ends are raised: the paper's contact point "

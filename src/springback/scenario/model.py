@@ -46,6 +46,7 @@ from springback.settings import naming, problem
 from springback.simulation.flight import memory_at_start, with_spin
 from springback.simulation.measuring.record import Model, Timing
 from springback.simulation.thrusts import ThrustTable
+from springback.vehicle.arms.at_start import bends_at_start, check_compression
 from springback.vehicle.hulls import HullSettings
 from springback.vehicle.mass.bounds import check_inertia
 from springback.vehicle.parameters import Vehicle
@@ -374,8 +375,9 @@ def _shell_spin(start: Start, hull: Shell) -> Vec:
     return rotation(start.attitude()) @ given
 
 
-def check_shell_spin(start: Start, vehicle: Vehicle) -> None:
-    """Reject a spin of what does not turn by itself."""
+def check_parts_at_start(start: Start, vehicle: Vehicle) -> None:
+    """Reject arms out of their travel, and a spin of what does not turn by itself."""
+    check_compression(vehicle.arms, start.compression, start.second_compression)
     if not vehicle.has_shell and any(part != 0.0 for part in start.shell_spin):
         raise problem(
             "needs a hull that turns by itself: a sphere with a gimbal, or a ring with a bearing",
@@ -388,7 +390,8 @@ def _state_at_place(start: Start, vehicle: Vehicle) -> State:
     s, lengths = start, vehicle.lengths(start.compression)
     velocity, spin, rates = Vec(*s.velocity), Vec(*s.angular_velocity), (0.0,) * len(lengths)
     place, attitude = s.place(), s.attitude()
-    return State(place, attitude, velocity, spin, lengths, rates, bends=vehicle.arms.bends())
+    bends = bends_at_start(vehicle.arms, s.second_compression)
+    return State(place, attitude, velocity, spin, lengths, rates, bends=bends)
 
 
 @traceable

@@ -102,6 +102,8 @@ class Start(Settings):
     """
     compression: Annotated[PerArm, Unit("m")] = 0.0
     """Of the arms, along the paths of their ends; one for all, or one for each."""
+    second_compression: Annotated[PerArm, Unit("m")] = 0.0
+    """The same of the second joints of arms on two, along the paths on these alone."""
     touch_distance: Annotated[float, Unit("m", least=0.0)] | None = None
     """Distance from the start to the first touch, along ``velocity``; 0: it begins in touch.
 

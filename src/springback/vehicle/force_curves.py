@@ -138,3 +138,24 @@ def returned_at(table: float, w: float) -> Returned:
     first = HEADER + WIDTH * int(number_at(table, COUNT))
     there = _value_at(table, first, count, w)
     return Returned(there.value, there.integral)
+
+
+@kernel
+def next_point(table: float, depth: float, rate: float, near: float) -> float:
+    """Depth of the next point of a curve [m], where its cubics join; 0 if there is none.
+
+    Args:
+        table: Of a curve.
+        depth: The present depth [m].
+        rate: Of the depth, whose sign tells which way [m/s].
+        near: A point that is nearer than this has been reached [m].
+    """
+    found, last = 0.0, HEADER + WIDTH * (int(number_at(table, COUNT)) - 1)
+    for k in range(int(number_at(table, COUNT))):
+        if rate < 0.0:
+            x = number_at(table, HEADER + WIDTH * k)
+            found = x if x < depth - near else found
+        else:  # from the last on, so that the nearest is found last
+            x = number_at(table, last - WIDTH * k)
+            found = x if x > depth + near else found
+    return found

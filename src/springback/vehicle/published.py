@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 from springback.vehicle.endurance import GRAVITY
 from springback.vehicle.force_laws import HullSurface
 from springback.vehicle.hulls import CapsuleHull, RingHull, SphereHull
+from springback.vehicle.mass.bearings import Gimbal
 from springback.vehicle.parameters import Arms, Body, Hull, Vehicle
 from springback.vehicle.propulsion import Propulsion
 
@@ -157,14 +158,24 @@ NAVI = Entry(
 
 _SUBT = "the model COSTAR Gagarin of DARPA's SubT simulator (osrf/subt)"
 
-CAGED_SPHERE = Entry(
-    Vehicle(
-        name="caged-sphere",
-        body=Body(mass=2.336, inertia=(0.017, 0.018, 0.028)),
-        hulls=(SphereHull(type="sphere", radius=0.2),),
+_SPHERE, _SHELL_MASS = 0.2, 0.15  # [m], [kg]
+_SHELL_INERTIA = 2.0 / 3.0 * _SHELL_MASS * _SPHERE**2
+
+
+def _in_a_sphere(name: str, moments: tuple[float, ...], gimbal: Gimbal | None) -> Vehicle:
+    """A quadrotor in a sphere, by the moments of inertia of what does not turn by itself."""
+    return Vehicle(
+        name=name,
+        body=Body(mass=2.336, inertia=moments),
+        hulls=(SphereHull(type="sphere", radius=_SPHERE, gimbal=gimbal),),
         arms=rotors_at(corners(0.1, 0.1), 0.055, 0.016, cages=False),
         propulsion=thrust_for(2.336),
-    ),
+    )
+
+
+_GAGARIN = (0.017, 0.018, 0.028)
+CAGED_SPHERE = Entry(
+    _in_a_sphere("caged-sphere", _GAGARIN, None),
     "A quadrotor in a sphere, of the mass and size of a Flyability Elios 2",
     {
         "body.mass": f"given: {_SUBT}, 2.316 kg and four rotors of 5 g",
@@ -179,6 +190,24 @@ CAGED_SPHERE = Entry(
         "propulsion.max_thrust": TWICE,
         **RIGID_ARMS,
         **CHOSEN,
+    },
+)
+
+CAGED_SPHERE_GIMBAL = Entry(
+    _in_a_sphere(
+        "caged-sphere-gimbal",
+        tuple(round(moment - _SHELL_INERTIA, 9) for moment in _GAGARIN),
+        Gimbal(shell_mass=_SHELL_MASS, damping=1e-4, friction=1e-3),
+    ),
+    "caged-sphere with its sphere in a gimbal, as of Briod's GimBall: it rolls along what it hits",
+    {
+        **CAGED_SPHERE.sources,
+        "body.inertia": "derived: that of caged-sphere less the shell's 2/3 m r^2, 4.0e-3 kg m^2, "
+        "so that with the shell held both are one vehicle",
+        "hulls": CAGED_SPHERE.sources["hulls"]
+        + "; chosen: a thin shell of 150 g, 6 % of the mass, in bearings of 0.1 mN m s/rad and "
+        "1 mN m of dry friction, which slow it from 10 to 5 rad/s in 12 s (derived); of no such "
+        "robot are these numbers known to us",
     },
 )
 
@@ -306,4 +335,4 @@ LMF2 = Entry(
     },
 )
 
-PUBLISHED = (SPIRI, NAVI, CAGED_SPHERE, TENSEGRITY, CRAZYFLIE, LMF2)
+PUBLISHED = (SPIRI, NAVI, CAGED_SPHERE, CAGED_SPHERE_GIMBAL, TENSEGRITY, CRAZYFLIE, LMF2)

@@ -18,6 +18,7 @@ from springback.interfaces.animation.timing import timing
 from springback.interfaces.replay.scene import Scene, plain, scene_of
 from springback.interfaces.replay.viewer import export_page, replay_of
 from springback.results.flight import Flight, fly
+from springback.vehicle.arms.bent import BentCoordinates, bent_pose
 from springback.vehicle.arms.joints import joint_pose
 
 SOFT = {"stiffness": "0.4 N/mm", "damping": "5 N s/m"}
@@ -29,10 +30,16 @@ SLIDE = {
     "type": "slide", "direction": [-1.0, 0.0, 0.2], "travel": [0.0, 0.03], "stiffness": "3 N/mm",
     "damping": 30.0, "latch": {"force": 30.0, "travel": "1 mm"},
 }  # fmt: skip
+#: It turns down, and carries another about the same point that turns to the side.
+UNIVERSAL = {
+    **HINGE, "axis": [0.0, 1.0, 0.0],
+    "second": {**HINGE, "latch": {"torque": 0.5, "travel": "2 deg"}},
+}  # fmt: skip
 ARMS: dict[str, dict[str, Any]] = {
     "hinges": {"joint": HINGE, "neighbours": SOFT},
     "slides": {"joint": SLIDE},
     "in the plane": {"neighbours": SOFT},
+    "two joints": {"joint": UNIVERSAL},
 }
 
 
@@ -89,6 +96,34 @@ def test_faces_of_a_latch_part_as_the_arm_moves(
         assert along <= 1e-9  # away from the body's face, which is on the other side
 
 
+def test_the_latch_of_a_second_joint_is_on_what_the_first_carries(
+    flights: dict[str, Flight], scenes: dict[str, Scene]
+) -> None:
+    """One face turns with the first joint alone, the other with both; it opens by the second's way."""
+    scene = scenes["two joints"]
+    arms = flights["two joints"].scenario.flight_model().airframe.arms
+    k = int(np.argmin(scene.bends.min(axis=1)))
+    now = bodies.pose(scene, float(scene.t[k]))
+    found = bodies.latches(scene.arms, now)
+    assert len(found) == 2 * len(arms)
+    assert {latch.is_open for latch in found[1::2]} == {True, False}
+    for j, (arm, drawn) in enumerate(nonempty(zip(arms, scene.arms, strict=True))):
+        first, second = drawn.latch
+        length, bend = float(scene.arm_length[k, j]), float(scene.bends[k, j])
+        lever = np.array(second.face) - np.array(arm.joint.end)
+        alone = joint_pose(arm, length, 0.0)
+        both = bent_pose(arm, BentCoordinates(length, bend), BentCoordinates(0.0, 0.0))
+        latch = found[2 * j + 1]
+        for face, there in ((latch.on_body, alone), (latch.on_arm, both)):
+            place = np.array(there.end) + np.array(there.turn) @ lever
+            assert (face - now.position) @ now.rotation == pytest.approx(place, abs=1e-12)
+        [held] = arm.second.spring.latch
+        assert latch.is_open == (-bend > held.travel)
+        assert found[2 * j].is_open == (arm.length - length > arm.spring.latch[0].travel)
+        # Both hinges are in one point; their latches are not.
+        assert np.linalg.norm(np.subtract(first.face, second.face)) > 0.01
+
+
 @pytest.mark.parametrize("name", ["hinges", "in the plane"])
 def test_springs_between_arms_end_where_arms_do(name: str, scenes: dict[str, Scene]) -> None:
     scene = scenes[name]
@@ -107,7 +142,9 @@ def test_springs_between_arms_end_where_arms_do(name: str, scenes: dict[str, Sce
 
 
 def test_a_film_has_lines_for_them_and_colours_open_latches(scenes: dict[str, Scene]) -> None:
-    for name, springs, latches in (("hinges", 4, 4), ("slides", 0, 4), ("in the plane", 4, 0)):
+    for name, springs, latches in (
+        ("hinges", 4, 4), ("slides", 0, 4), ("in the plane", 4, 0), ("two joints", 0, 8),
+    ):  # fmt: skip
         scene = scenes[name]
         when = timing([scene], slow=20.0, begin=None, end=None, fps=25.0)
         frame = Frame([scene], when, (300, 270))

@@ -37,6 +37,7 @@ from springback.vehicle.force_curves import (
     STEEPEST,
     Pressed,
     Returned,
+    next_point,
     pressed_at,
     returned_at,
 )
@@ -175,6 +176,20 @@ def _remembering(law: Hysteresis, memory: PressedPoints, at: Pressing) -> Hyster
     crushed = deepest if law.stays > 0.0 else 0.0
     lost = renewed * (1.0 - _returned_in_all(law))
     return HystereticLoad(pressed, PressedPoint(at.place, at.inward, deepest, crushed, lost))
+
+
+@kernel
+def next_corner(law: Hysteresis, depth: float, rate: float) -> float:
+    """Depth at which the next corner of a curve is [m]; 0 if there is none ahead.
+
+    Args:
+        law: Of the surface.
+        depth: The present depth [m].
+        rate: Of the depth [m/s].
+    """
+    if law.curve > 0.0:
+        return next_point(law.curve, depth, rate, LANDED)
+    return 0.0
 
 
 @kernel

@@ -157,7 +157,8 @@ def with_lead(plan: FitPlan, tables: Mapping[str, Any]) -> tuple[dict[str, Any],
     tables = dict(tables)
     scenario = scenario_from(dict(tables))
     start, given = scenario.start, tables.get("start", {})
-    turns = any(start.angular_velocity) or "shell_spin" in given or "compression" in given
+    moving = {"shell_spin", "compression", "second_compression"}
+    turns = any(start.angular_velocity) or not moving.isdisjoint(given)
     piloted = scenario.reference is not None or scenario.pilot is not None
     varies = isinstance(tables.get("thrust"), Mapping)
     if plan.experiment == "drop" or turns or piloted or varies:

@@ -283,21 +283,21 @@ def is_hinged(arm: ArmShape) -> bool:
 class LatchPlace(NamedTuple):
     """Where the two faces of a latch are at one instant; world [m]."""
 
-    on_body: Array
+    on_body: Array  # of a second joint: on what the first one carries
     on_arm: Array
     is_open: bool
 
 
 def latches(arms: Sequence[ArmShape], now: SceneInstant) -> list[LatchPlace]:
-    """Faces of the latches of arms: together while the arm is free."""
+    """Faces of the latches of arms: together while their joint is free."""
     found = []
-    for arm, length in zip(arms, now.lengths.tolist(), strict=True):
+    for j, (arm, length) in enumerate(zip(arms, now.lengths.tolist(), strict=True)):
+        bend = now.bend(j)
         for latch in arm.latch:
-            free, there = (arm.path(np.array([one])) for one in (arm.length, length))
-            face = np.array(latch.face)
-            moved = there.end[0] + there.turn[0] @ (face - free.end[0])
-            held, moving = now.position + np.array([face, moved]) @ now.rotation.T
-            found.append(LatchPlace(held, moving, arm.is_open(length)))
+            faces = arm.faces(latch, length, bend)
+            held, moving = now.position + faces @ now.rotation.T
+            is_open = latch.is_open(arm.length - length, bend)
+            found.append(LatchPlace(held, moving, is_open))
     return found
 
 

@@ -19,8 +19,9 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 #: Chosen, of a slide's spring: its inner seat is at least, and its outer seat from the end of the
 #: arm, at this share of the end's distance from the main body; length between both, per stroke.
 SEAT, COLLAR, ROOM = 0.24, 0.13, 1.8
-#: Chosen: place of a latch between the end of a hinged arm, 0, and its hinge, 1.
-LATCHED = 0.55
+#: Chosen: place of a latch between the end of a hinged arm, 0, and its hinge, 1, of the first joint
+#: and of the second; they differ as both hinges may be in one point.
+LATCHED = (0.55, 0.35)
 
 
 class JointShape(NamedTuple):
@@ -36,10 +37,20 @@ class JointShape(NamedTuple):
 
 
 class LatchShape(NamedTuple):
-    """Latch of an arm: a face on it meets one on the main body, until it opens."""
+    """Latch of an arm: a face on it meets one on what carries its joint, until it opens."""
 
-    face: tuple[float, ...]  # where they meet, from the main body, body axes [m]
+    face: tuple[float, ...]  # where they meet while all is free, from the main body, body axes [m]
     travel: float  # way of the arm's end at which it opens [m]
+    joint: int = 0  # 0: of the first, from the main body; 1: of the second, from what it carries
+
+    def is_open(self, pressed: float, bend: float) -> bool:
+        """True if it has opened.
+
+        Args:
+            pressed: By how much the first joint is pressed in [m].
+            bend: Way of the second joint [m], negative as it is pressed in.
+        """
+        return (-bend if self.joint else pressed) > self.travel
 
 
 class ArmShape(NamedTuple):
@@ -75,9 +86,19 @@ class ArmShape(NamedTuple):
         pressed = self.length - length
         return max(abs(pressed), abs(bend)) if self.joint else pressed
 
-    def is_open(self, length: float) -> bool:
-        """True if it has a latch, which has opened, at a length [m]."""
-        return any(self.length - length > one.travel for one in self.latch)
+    def faces(self, latch: LatchShape, length: float, bend: float) -> Array:
+        """Both faces of a latch, on what carries its joint and on the arm, body axes [m].
+
+        Args:
+            latch: One of its latches.
+            length: Of the arm [m].
+            bend: Way of its second joint [m].
+        """
+        ways = ((self.length, 0.0), (length, 0.0), (length, bend))
+        paths = [self.path(np.array([first]), np.array([second])) for first, second in ways]
+        lever = np.array(latch.face) - paths[0].end[0]
+        pair = paths[latch.joint : latch.joint + 2]
+        return np.array([path.end[0] + path.turn[0] @ lever for path in pair])
 
     def pivots(self, length: float) -> list[Array]:
         """Hinges at a length, from the main body on, body axes [m]."""
@@ -126,10 +147,16 @@ def _joint_shape(arm: JointedArm | BentArm | SecondJoint) -> JointShape:
 
 
 def _latch_shapes(arm: JointedArm | BentArm) -> tuple[LatchShape, ...]:
-    """Shape of the first joint's latch, if any: on a hinged arm or the outer seat of a slide."""
-    path, shape = arm.joint, _joint_shape(arm)
-    if shape.is_hinge:
-        face = path.end + LATCHED * (Vec(*shape.anchor) - path.end)
-    else:
-        face = path.end - (COLLAR * norm(path.end)) * path.direction
-    return tuple(LatchShape(tuple(face), latch.travel) for latch in arm.spring.latch)
+    """Shapes of the latches of its joints, if any: on a hinged arm or the outer seat of a slide."""
+    joints: list[JointedArm | BentArm | SecondJoint] = [arm]
+    joints += [arm.second] if isinstance(arm, BentArm) else []
+    found = []
+    for number, one in enumerate(joints):
+        path, shape = one.joint, _joint_shape(one)
+        if shape.is_hinge:
+            face = path.end + LATCHED[number] * (Vec(*shape.anchor) - path.end)
+        else:
+            face = path.end - (COLLAR * norm(path.end)) * path.direction
+        held = [latch for latch in one.spring.latch if latch.force > 0.0]
+        found += [LatchShape(tuple(face), latch.travel, number) for latch in held]
+    return tuple(found)

@@ -17,9 +17,10 @@ from pydantic import BeforeValidator, Field
 from springback.errors import shown_value
 from springback.kernels.tracing import sqrt, traceable
 from springback.kernels.vectors import Vec
-from springback.quantities import Pair, PerArm, Triple, TriplePerArm, Unit
+from springback.quantities import PairPerArm, PerArm, Triple, TriplePerArm, Unit
 from springback.settings import Settings, naming, problem
 from springback.vehicle.arms.joints import Joint, JointSpring, Latch, latch_force
+from springback.vehicle.arms.latch_settings import HingeLatch, SlideLatch
 from springback.vehicle.force_curves import force_table
 
 #: Most points of a table (chosen).
@@ -32,12 +33,32 @@ power = traceable(math.pow)
 MOST_ANGLE = math.pi
 
 
+def flags(value: Any) -> bool | tuple[bool, ...]:
+    """Validate one boolean, or one for each arm."""
+    if isinstance(value, bool):
+        return value
+    if isinstance(value, list | tuple) and all(isinstance(entry, bool) for entry in value):
+        return tuple(value)
+    raise problem(
+        f"must be true or false, or a list of them, one for each arm (got {shown_value(value)})"
+    )
+
+
 def _points(way: str, force: str) -> Any:
-    """Reader of pairs of a travel and a force, or of an angle and a torque."""
+    """Reader of pairs of a travel and a force, or of an angle and a torque; or such of each arm."""
 
     def read(value: Any) -> Any:
         if value is None:
             return None
+        if isinstance(value, list | tuple) and any(map(_is_of_an_arm, value)):
+            found = []
+            for k, one in enumerate(value):
+                with naming(f"[{k}]"):
+                    found.append(() if one in ([], ()) else of_one(one))
+            return tuple(found)
+        return of_one(value)
+
+    def of_one(value: Any) -> Any:
         if not isinstance(value, list | tuple) or not 2 <= len(value) <= MOST_POINTS:
             raise problem(
                 f"must be 2 to {MOST_POINTS} pairs in {way} and {force} (got {shown_value(value)})"
@@ -66,13 +87,20 @@ def _points(way: str, force: str) -> Any:
     return read
 
 
+def _is_of_an_arm(entry: Any) -> bool:
+    """True for an entry that is no pair, but the pairs of an arm, or none."""
+    return isinstance(entry, list | tuple) and (not entry or isinstance(entry[0], list | tuple))
+
+
 Points = tuple[tuple[float, float], ...]
+#: Table of an arm that has none beside others that have one: no force.
+_NO_FORCE = ((0.0, 0.0), (1.0, 0.0))
 
 
 class _WaySettings(Settings):
     """What slides and hinges have in common."""
 
-    one_sided: bool = False
+    one_sided: Annotated[bool | tuple[bool, ...], BeforeValidator(flags)] = False
     """True: the spring acts only while the arm is pressed in, not beyond its free length."""
 
     @property
@@ -88,65 +116,88 @@ class _WaySettings(Settings):
             j: The arm.
         """
         given: Any = self
-        table = given.table
         curve: tuple[float, ...] = ()
-        if table is not None:
-            curve = (force_table(tuple((x * radius, y / radius) for x, y in table)),)
+        if given.table is not None:  # arms are of one structure: all have one
+            points = self.table_of(j) or _NO_FORCE
+            curve = (force_table(tuple((x * radius, y / radius) for x, y in points)),)
         return JointSpring(
             quadratic=self._at("quadratic", j) / power(radius, 3),
             preload=self._at("preload", j) / radius,
             play=self._at("play", j) * radius,
-            both_sides=0.0 if self.one_sided else 1.0,
+            both_sides=0.0 if self._at("one_sided", j) else 1.0,
             curve=curve,
-            latch=self._latch(radius),
+            latch=self._latch(radius, j),
         )
 
-    def _latch(self, radius: float) -> tuple[Latch, ...]:
-        """Numbers of the latch along the path of an arm's end, if there is one."""
+    def travel_of(self, j: int) -> tuple[float, float]:
+        """Travel of arm ``j``, from that at which it is longest to that at which it is pressed in.
+
+        In metres, or radians of a hinge.
+        """
+        found: tuple[float, float] = self._entry("travel", j)
+        return found
+
+    def table_of(self, j: int) -> Points:
+        """Points of the table of arm ``j``; empty if it has none."""
+        found: Points = self._entry("table", j)
+        return found or ()
+
+    def _entry(self, name: str, j: int) -> Any:
+        value = getattr(self, name)
+        return value[j] if self._is_for_each(name) else value
+
+    def _latch(self, radius: float, j: int) -> tuple[Latch, ...]:
+        """Numbers of the latch along the path of arm ``j``'s end; of no force if it has none."""
         given: Any = self
         if given.latch is None:
             return ()
-        return (Latch(given.latch.holds / radius, given.latch.travel * radius),)
+        return (Latch(given.latch.holds(j) / radius, given.latch.opens(j) * radius),)
 
     def _is_for_each(self, name: str) -> bool:
         """Whether a field has a value for each arm."""
         value = getattr(self, name)
-        if name in _VECTORS:
+        if name in _LISTS:
             return isinstance(value[0], tuple)
+        if name == "table":
+            return value is not None and any(map(_is_of_an_arm, value))
         return name in PER_ARM and isinstance(value, tuple)
 
     @property
     def differs(self) -> bool:
-        """True if a number or a vector is given for each arm."""
-        given: Any = getattr(self, "second", None)
+        """True if anything is given for each arm."""
+        given: Any = self
+        second = getattr(self, "second", None)
         own = any(self._is_for_each(name) for name in type(self).model_fields)
-        return own or (given is not None and given.differs)
+        own = own or (given.latch is not None and given.latch.differs)
+        return own or (second is not None and second.differs)
 
     def _at(self, name: str, j: int) -> float:
         value = getattr(self, name)
         one: float = value[j] if isinstance(value, tuple) else value
         return one
 
+    def linear_of(self, radius: float, j: int) -> float:
+        """Stiffness of arm ``j`` along the path of its end, besides a table [N/m]."""
+        return 0.0 if self.table_of(j) else self.stiffness_of(radius, j)
+
     def stiffness_of(self, radius: float, j: int) -> float:
         """Stiffness of arm ``j`` along the path of its end [N/m]; of a table, at its beginning."""
-        given: Any = self
-        if given.table is not None:
-            x, y = next((point for point in given.table if point[1] > 0.0), given.table[1])
+        if table := self.table_of(j):
+            x, y = next((point for point in table if point[1] > 0.0), table[1])
             slope: float = y / x / power(radius, 2)
             return slope
         return self._at("stiffness", j) / power(radius, 2)
 
     def secant_of(self, radius: float, j: int) -> float:
         """Stiffness of arm ``j`` from its free position to the end of its travel [N/m]."""
-        given: Any = self
-        most = given.travel[1]
-        if given.table is not None:
-            xs, ys = zip(*given.table, strict=True)
+        _, most = self.travel_of(j)
+        if table := self.table_of(j):
+            xs, ys = zip(*table, strict=True)
             force = float(np.interp(most, xs, ys))
         else:
             force = (self._at("stiffness", j) + self._at("quadratic", j) * most) * most
         own: float = (force + self._at("preload", j)) / (most * power(radius, 2))
-        for latch in self._latch(radius):
+        for latch in self._latch(radius, j):
             own += latch_force(latch, most * radius).force / (most * radius)
         return own
 
@@ -156,61 +207,35 @@ class _WaySettings(Settings):
 
     def steepest(self, radius: float, j: int) -> float:
         """The largest stiffness of arm ``j`` in its travel, along the path of its end [N/m]."""
-        given: Any = self
-        most = max(abs(x) for x in given.travel) * radius
-        linear = 0.0 if given.table is not None else self.stiffness_of(radius, j)
-        own: float = linear + 2.0 * self._at("quadratic", j) / power(radius, 3) * most
+        most = max(abs(x) for x in self.travel_of(j)) * radius
+        own: float = (
+            self.linear_of(radius, j) + 2.0 * self._at("quadratic", j) / power(radius, 3) * most
+        )
         slopes = [
             (more - y) / (further - x) / power(radius, 2)
-            for (x, y), (further, more) in pairwise(given.table or ())
+            for (x, y), (further, more) in pairwise(self.table_of(j))
         ]
-        held = [16.0 / 9.0 * latch.force / latch.travel for latch in self._latch(radius)]
+        held = [16.0 / 9.0 * latch.force / latch.travel for latch in self._latch(radius, j)]
         # A cubic between points may be steeper than they are.
         return own + 1.5 * max(slopes, default=0.0) + sum(held)
 
     def check(self, count: int, compliant: tuple[bool, ...], end_stops: bool) -> None:
         """Reject numbers of another number of arms, and those that do not go together."""
-        given: Any = self
         for name in type(self).model_fields:
             value = getattr(self, name)
             if self._is_for_each(name) and len(value) != count:
                 raise problem(f"has {len(value)} entries for {count} arms", name)
-        low, high = given.travel
-        unit = given.way
-        if not low <= 0.0 < high:
-            raise problem(
-                f"must be from at most 0 to more than 0 {unit}, the free position being 0 "
-                f"(got {low:g} to {high:g} {unit})",
-                "travel",
-            )
-        if given.way == "rad" and max(-low, high) > MOST_ANGLE:
-            raise problem(f"must be within half a turn (got {low:g} to {high:g} rad)", "travel")
         for j in range(count):
-            if self._at("play", j) >= max(-low, high):
-                raise problem(
-                    f"must be less than the travel, {max(-low, high):g} {unit}: the spring would "
-                    f"never act (got {self._at('play', j):g} {unit})",
-                    "play",
-                )
-        if self.one_sided and low < 0.0:
-            raise problem(
-                f"must begin at 0 {unit} with one_sided: nothing would bring the arm back "
-                f"(got {low:g} {unit})",
-                "travel",
-            )
-        if given.latch is not None:
-            self._check_latch(given.latch.travel, end_stops)
-        strained = any(self._at("preload", j) > 0.0 for j in range(count))
-        if strained and (low < 0.0 or not end_stops):
-            raise problem(
-                f"needs the end stop at the free position: travel from 0 {unit}, and end_stops",
-                "preload",
-            )
+            self._check_travel(j)
+        self._check_latch(count, end_stops)
+        strained = [j for j in range(count) if self._at("preload", j) > 0.0]
+        if any(self.travel_of(j)[0] < 0.0 or not end_stops for j in strained):
+            raise problem(self._needs_stop, "preload")
         for j in range(count):
-            stiffness = self._at("stiffness", j)
-            if given.table is not None and stiffness > 0.0:
+            stiffness, table = self._at("stiffness", j), self.table_of(j)
+            if table and stiffness > 0.0:
                 raise problem("cannot be combined with table; give only one", "stiffness")
-            springs = stiffness > 0.0 or self._at("quadratic", j) > 0.0 or given.table is not None
+            springs = stiffness > 0.0 or self._at("quadratic", j) > 0.0 or bool(table)
             if compliant[j] and not springs:
                 raise problem(
                     f"of arm {j + 1} is missing: nothing would bring it back; give a stiffness, "
@@ -218,54 +243,62 @@ class _WaySettings(Settings):
                     "stiffness",
                 )
 
-    def _check_latch(self, opens: float, end_stops: bool) -> None:
+    @property
+    def _needs_stop(self) -> str:
         given: Any = self
-        (low, high), unit = given.travel, given.way
-        if low < 0.0 or not end_stops:
+        return f"needs the end stop at the free position: travel from 0 {given.way}, and end_stops"
+
+    def _check_travel(self, j: int) -> None:
+        """Reject a travel of arm ``j`` without its free position, and what does not fit in it."""
+        given: Any = self
+        (low, high), unit = self.travel_of(j), given.way
+        of = f"of arm {j + 1} " if self._is_for_each("travel") else ""
+        if not low <= 0.0 < high:
             raise problem(
-                f"needs the end stop at the free position: travel from 0 {unit}, and end_stops",
-                "latch",
+                f"{of}must be from at most 0 to more than 0 {unit}, the free position being 0 "
+                f"(got {low:g} to {high:g} {unit})",
+                "travel",
             )
-        if not opens < high:
+        if unit == "rad" and max(-low, high) > MOST_ANGLE:
+            raise problem(f"{of}must be within half a turn (got {low:g} to {high:g} rad)", "travel")
+        if self._at("play", j) >= max(-low, high):
             raise problem(
-                f"must be less than the travel of the arm, {high:g} {unit}: it would meet its stop "
-                f"before the latch opens (got {opens:g} {unit})",
-                "latch.travel",
+                f"must be less than the travel, {max(-low, high):g} {unit}: the spring would "
+                f"never act (got {self._at('play', j):g} {unit})",
+                "play",
+            )
+        if self._at("one_sided", j) and low < 0.0:
+            raise problem(
+                f"{of}must begin at 0 {unit} with one_sided: nothing would bring the arm back "
+                f"(got {low:g} {unit})",
+                "travel",
             )
 
+    def _check_latch(self, count: int, end_stops: bool) -> None:
+        given: Any = self
+        latch, unit = given.latch, given.way
+        if latch is None:
+            return
+        with naming("latch"):
+            latch.check(count)
+        for j in range(count):
+            low, high = self.travel_of(j)
+            if not latch.holds(j) > 0.0:
+                continue
+            if low < 0.0 or not end_stops:
+                raise problem(self._needs_stop, "latch")
+            if not latch.opens(j) < high:
+                raise problem(
+                    f"must be less than the travel of the arm, {high:g} {unit}: it would meet its "
+                    f"stop before the latch opens (got {latch.opens(j):g} {unit})",
+                    "latch.travel",
+                )
 
-#: Fields with one number for each arm.
-PER_ARM = ("stiffness", "damping", "quadratic", "preload", "play")
-#: Fields with one vector for all arms, or one for each.
-_VECTORS = ("direction", "position", "axis")
 
-
-class SlideLatch(Settings):
-    """Latch of a slide: it holds the arm out until a force opens it, and closes by itself."""
-
-    force: Annotated[float, Unit("N", above=0.0)]
-    """At which it opens."""
-    travel: Annotated[float, Unit("m", above=0.0)]
-    """By which it yields before it opens."""
-
-    @property
-    def holds(self) -> float:
-        """Force at which it opens [N]."""
-        return self.force
-
-
-class HingeLatch(Settings):
-    """Latch of a hinge, as that of a slide."""
-
-    torque: Annotated[float, Unit("N m", above=0.0)]
-    """At which it opens."""
-    travel: Annotated[float, Unit("rad", above=0.0)]
-    """Angle by which it yields before it opens."""
-
-    @property
-    def holds(self) -> float:
-        """Torque at which it opens [N m]."""
-        return self.torque
+#: Fields with one value for each arm.
+PER_ARM = ("stiffness", "damping", "quadratic", "preload", "play", "one_sided")
+#: Fields with one vector or pair for all arms, or one for each.
+_LISTS = ("direction", "position", "axis", "travel")
 
 
 class SlideJoint(_WaySettings):
@@ -275,7 +308,7 @@ class SlideJoint(_WaySettings):
     type: Literal["slide"]
     direction: Annotated[TriplePerArm, Unit("")] = (-1.0, 0.0, 0.0)
     """In which the end of an arm moves as it is pressed in, in its axes; of any length."""
-    travel: Annotated[Pair, Unit("m")]
+    travel: Annotated[PairPerArm, Unit("m")]
     """From the stop at which the arm is longest, at most 0, to that at which it is pressed in."""
     stiffness: Annotated[PerArm, Unit("N/m", least=0.0)] = 0.0
     quadratic: Annotated[PerArm, Unit("N/m^2", least=0.0)] = 0.0
@@ -285,8 +318,9 @@ class SlideJoint(_WaySettings):
     """Force that holds the arm at its stop until more presses it in."""
     play: Annotated[PerArm, Unit("m", least=0.0)] = 0.0
     """Way to either side before the spring acts."""
-    table: Annotated[Points | None, BeforeValidator(_points("m", "N"))] = None
-    """Ways and forces in place of the stiffness, from (0, 0); the same to either side."""
+    table: Annotated[Points | tuple[Points, ...] | None, BeforeValidator(_points("m", "N"))] = None
+    """Ways and forces in place of the stiffness, from (0, 0); the same to either side.  A list of
+    tables is one for each arm, an empty one for an arm that has a stiffness."""
     latch: SlideLatch | None = None
     """What holds the arm stiffly at its free length until a force opens it."""
 
@@ -315,7 +349,7 @@ class HingeJoint(_WaySettings):
     """A point of the hinge's axis, in the axes of the arm."""
     axis: Annotated[TriplePerArm, Unit("")]
     """About which the arm turns as it is pressed in, right-handed; of any length."""
-    travel: Annotated[Pair, Unit("rad")]
+    travel: Annotated[PairPerArm, Unit("rad")]
     """From the stop at which the arm is longest, at most 0, to that at which it is pressed in."""
     stiffness: Annotated[PerArm, Unit("N m/rad", least=0.0)] = 0.0
     quadratic: Annotated[PerArm, Unit("N m/rad^2", least=0.0)] = 0.0
@@ -325,8 +359,11 @@ class HingeJoint(_WaySettings):
     """Torque that holds the arm at its stop until more presses it in."""
     play: Annotated[PerArm, Unit("rad", least=0.0)] = 0.0
     """Angle to either side before the spring acts."""
-    table: Annotated[Points | None, BeforeValidator(_points("rad", "N m"))] = None
-    """Angles and torques in place of the stiffness, from (0, 0); the same to either side."""
+    table: Annotated[Points | tuple[Points, ...] | None, BeforeValidator(_points("rad", "N m"))] = (
+        None
+    )
+    """Angles and torques in place of the stiffness, from (0, 0); the same to either side.  A list
+    of tables is one for each arm, an empty one for an arm that has a stiffness."""
     latch: HingeLatch | None = None
     """What holds the arm stiffly at its free position until a torque opens it."""
 

@@ -19,6 +19,7 @@ from springback.vehicle.arms.joint_settings import (
     SecondHinge,
     SecondSlide,
     SlideSettings,
+    flags,
     length_of,
 )
 from springback.vehicle.arms.joints import (
@@ -26,7 +27,6 @@ from springback.vehicle.arms.joints import (
     Joint,
     JointSpring,
     path_point,
-    preload_strain,
 )
 from springback.vehicle.arms.neighbours import (
     NeighbourSettings,
@@ -34,7 +34,6 @@ from springback.vehicle.arms.neighbours import (
     NeighbourSprings,
     next_of,
 )
-from springback.vehicle.state import Bend
 
 #: Upper limit, to catch typing errors (chosen): a flight is compiled for each number of arms.
 MOST_ARMS = 32
@@ -49,17 +48,6 @@ LEAST_INDEPENDENCE = 0.1
 WAYS = 9
 #: Fields that a joint has in place of those of an arm.
 OF_SLIDES = ("stiffness", "damping", "stroke")
-
-
-def _flags(value: Any) -> bool | tuple[bool, ...]:
-    """One boolean, or one for each arm."""
-    if isinstance(value, bool):
-        return value
-    if isinstance(value, list | tuple) and all(isinstance(entry, bool) for entry in value):
-        return tuple(value)
-    raise problem(
-        f"must be true or false, or a list of them, one for each arm (got {shown_value(value)})"
-    )
 
 
 def _signs(value: Any) -> tuple[int, ...] | None:
@@ -91,7 +79,7 @@ class Arms(Settings):
     """Radius of the circle around each rotor: of its cage, or of the guard that hulls describe."""
     cages: bool = True
     """False: these circles touch nothing, only hulls do; pilots still locate contacts by them."""
-    compliant: Annotated[bool | tuple[bool, ...], BeforeValidator(_flags)] = True
+    compliant: Annotated[bool | tuple[bool, ...], BeforeValidator(flags)] = True
     """True: the arm slides against its spring.  False: it is locked, the vehicle rigid there."""
     stiffness: Annotated[PerArm, Unit("N/m", above=0.0)] = 5e3
     damping: Annotated[PerArm, Unit("N s/m", least=0.0)] = 0.0
@@ -233,7 +221,7 @@ class Arms(Settings):
         if self.joint is None or self.joint.second is None:
             return None
         path = self.joint.second.path(self.end(j), self._axes(j), j)
-        radius, (low, high) = radius_of(path), self.joint.second.travel
+        radius, (low, high) = radius_of(path), self.joint.second.travel_of(j)
         return path, (low * radius, high * radius)
 
     def second_travel(self, j: int) -> float:
@@ -250,22 +238,12 @@ class Arms(Settings):
         radius = radius_of(path)
         return SecondJoint(
             joint=path, spring=second.spring(radius, j),
-            stiffness=0.0 if second.table else second.stiffness_of(radius, j),
+            stiffness=second.linear_of(radius, j),
             resting_stiffness=second.secant_of(radius, j), damping=second.damping_of(radius, j),
             length=0.0, shortest=-high, longest=-low,
             stop_stiffness=self.at("stop_stiffness", j) if self.end_stops else 0.0,
             stop_dissipation=self.at("stop_dissipation", j), compliance=1.0 if moves else 0.0,
         )  # fmt: skip
-
-    def bends(self) -> tuple[Bend, ...]:
-        """Second coordinates at rest: free, but for a preload; empty for arms on one joint."""
-        joints = [self.second_joint(j) for j in range(len(self.directions))]
-        found = []
-        for one in (joint for joint in joints if joint is not None):
-            strained = one.compliance > 0.0 and one.spring.preload > 0.0
-            given = (one.spring, one.stiffness, one.stop_stiffness)
-            found.append(Bend(preload_strain(*given) if strained else 0.0, 0.0))
-        return tuple(found)
 
     def stiffest(self, j: int) -> list[tuple[float, float, float]]:
         """Of each joint of arm ``j`` bounds for steps: stiffness, damping, mass [N/m, N s/m, kg].
@@ -334,7 +312,7 @@ class Arms(Settings):
         """Travel of the end of arm ``j``, from its longest to pressed in, along its path [m]."""
         if self.joint is None:
             return 0.0, self.at("stroke", j)
-        low, high = self.joint.travel
+        low, high = self.joint.travel_of(j)
         radius = self.radius(j)
         return low * radius, high * radius
 
@@ -347,23 +325,7 @@ class Arms(Settings):
         if self.joint is None:
             own: float = self.at("stiffness", j)
             return own
-        return 0.0 if self.joint.table else self.joint.stiffness_of(self.radius(j), j)
-
-    def check_compression(self, given: PerArm) -> None:
-        """Reject arms that begin beyond their travel, and rigid ones that do not begin free."""
-        count = len(self.directions)
-        if isinstance(given, tuple) and len(given) != count:
-            raise problem(f"has {len(given)} entries for {count} arms", "start.compression")
-        for j in range(count):
-            pressed = given[j] if isinstance(given, tuple) else given
-            low, high = self.travel(j) if self.at("compliant", j) else (0.0, 0.0)
-            if not low <= pressed <= high:
-                what = "travel" if self.at("compliant", j) else "travel, as it is rigid"
-                raise problem(
-                    f"of arm {j + 1} must be within its {what}, {low:.6g} to {high:.6g} m "
-                    f"(got {pressed:g} m)",
-                    "start.compression",
-                )
+        return self.joint.linear_of(self.radius(j), j)
 
     def spring(self, j: int) -> JointSpring:
         """What the spring of arm ``j`` has besides its stiffness."""
@@ -453,7 +415,7 @@ class Arms(Settings):
             return {
                 "stiffness": lambda: self.joint.secant_of(radius, j),
                 "damping": lambda: self.joint.damping_of(radius, j),
-                "stroke": lambda: self.joint.travel[1] * radius,
+                "stroke": lambda: self.joint.travel_of(j)[1] * radius,
             }[name]()
         value = getattr(self, name)
         return value[j] if isinstance(value, tuple) else value
