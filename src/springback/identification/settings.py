@@ -129,6 +129,10 @@ class ArmLengthFit(Settings):
     the columns are in that order."""
     noise: Annotated[float, Unit("m", above=0.0)] | None = None
     """Standard deviation of a sample; by default as the scenario's Hall sensors have it."""
+    shortest: Annotated[float, Unit("m", above=0.0)] | None = None
+    """Least length that they can tell, as in the log; an arm there may be shorter."""
+    longest: Annotated[float, Unit("m", above=0.0)] | None = None
+    """Largest length that they can tell; an arm there may be longer."""
 
 
 class FitSensors(Settings):
