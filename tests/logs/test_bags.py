@@ -95,6 +95,20 @@ def test_ros_reads_the_mcap_that_is_written(folder: Path) -> None:
     assert found[0].orientation_covariance[0] == -1.0  # type: ignore[attr-defined]
 
 
+def test_a_chunk_that_would_have_to_be_held_at_once_is_refused(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A bag of ROS 1 is read chunk by chunk: 1.1 GB in one took 1.2 GB of memory."""
+    monkeypatch.setattr("springback.logs.formats.bags.LONGEST_RECORD", 20_000)
+    with pytest.raises(
+        InputError, match=r"has a chunk of \d+ MB, which would have to be held"
+    ) as e:
+        read_recording(folder / "first.bag")
+    assert len(e.value.problems) == 1
+    monkeypatch.setattr("springback.logs.formats.bags.LONGEST_RECORD", 2**20)
+    assert read_recording(folder / "first.bag").best(SPECIFIC_FORCE) is not None
+
+
 PX = """string NOTE=");import os;os.abort()#"
 uint64 timestamp
 float32[3] gyro_rad

@@ -21,9 +21,12 @@ from springback.sensing.hall import (
     arms_read,
     axial_field,
     calibrated_length,
+    ends,
     output,
+    output_at,
     resolution,
     slope,
+    word_at,
     word_of,
 )
 from springback.sensing.measurement import Truth, task_pace
@@ -146,6 +149,55 @@ def test_pressing_in_never_reads_longer_and_never_leaves_the_calibration() -> No
     assert all(b <= a for a, b in itertools.pairwise(back))
     assert min(back) >= LENGTH - STROKE - 0.002
     assert max(back) <= LENGTH + 0.002
+
+
+@pytest.mark.parametrize("name", ["xplorer", "morphy"])
+def test_arms_that_open_are_read_over_all_that_their_stops_allow(name: str) -> None:
+    """To half a count on either side of the free length, mirrored about it."""
+    vehicle = VEHICLES[name].vehicle
+    device = HallSettings(noise=0.0).device(TICK, vehicle)
+    assert isinstance(device, HallSensors)
+    span, free = device.spans[0], vehicle.arms.at("length", 0)
+    low, high = vehicle.arms.travel(0)
+    assert low < 0.0 < high
+
+    def read(length: float) -> float:
+        word = word_at(device, span, length, output_at(device, span, length))
+        return calibrated_length(device, span, word)
+
+    for length in nonempty(np.linspace(free - high, free - low, 401).tolist()):
+        way = abs(length - free)
+        count = resolution(device, max(way, abs(read(length) - free)), span.share)
+        assert abs(read(length) - length) <= 0.5 * count * (1 + 1e-4)
+        if way > 1e-6:
+            mirrored = free - (length - free)
+            assert read(length) - free == pytest.approx(free - read(mirrored), abs=1e-12)
+    shortest, longest = ends(device, span)
+    assert shortest < free - high
+    assert longest > free - low
+    assert read(longest + 0.01) == pytest.approx(longest, abs=1e-12)
+    assert span.share * max(high, -low) <= 0.05 + 1e-12
+
+
+def test_an_arm_that_only_shortens_has_one_sensor() -> None:
+    device = sensors()
+    span = device.spans[0]
+    assert (span.opens, span.share) == (0.0, 1.0)
+    assert span[1:3] == (LENGTH - STROKE - 0.002, LENGTH + 0.002)
+    assert ends(device, span)[0] == pytest.approx(span.shortest, abs=1e-12)
+
+
+def test_an_arm_that_opens_is_followed_through_its_free_length() -> None:
+    """As in flight: sampled, converted and delivered, from pressed in to far out."""
+    vehicle = VEHICLES["xplorer"].vehicle
+    device = HallSettings(noise=0.0, rate=1000.0, delay=0.0).device(TICK, vehicle)
+    assert isinstance(device, HallSensors)
+    free, share = vehicle.arms.at("length", 0), device.spans[0].share
+    memory = arms_at_start(device, truth((free - 0.06,) * 4).now)
+    for tick, length in nonempty(enumerate(np.linspace(free - 0.06, free + 0.09, 60).tolist())):
+        told = arms_read(device, float(tick), truth((length,) * 4), (0.0,) * 4, memory)
+        memory, most = told.memory, resolution(device, abs(length - free), share)
+        assert told.length[0] == pytest.approx(length, abs=0.55 * most)
 
 
 def test_noise_of_the_sensor_is_below_the_converter() -> None:

@@ -94,7 +94,8 @@ GAPS = {"motion_capture": {"loss_probability": 0.1, "loss_length": 3.0}, "imu": 
 
 
 @pytest.mark.parametrize(
-    ("settings", "vehicle"), [(GAPS, "arq"), (PERFECT, "arq"), (GAPS, "arq-lumped")]
+    ("settings", "vehicle"),
+    [(GAPS, "arq"), (PERFECT, "arq"), (GAPS, "arq-lumped"), (GAPS, "xplorer")],
 )
 def test_plain_python_and_compiled_are_twins(settings: dict[str, Any], vehicle: str) -> None:
     sensors = built(SensorSettings(**settings), VEHICLES[vehicle].vehicle, 3)

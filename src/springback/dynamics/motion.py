@@ -80,6 +80,12 @@ from springback.dynamics.solution import Free as Free
 from springback.dynamics.solution import Plant as Plant
 from springback.dynamics.solution import Slider as Slider
 from springback.dynamics.solution import System as System
+from springback.dynamics.solution import (
+    rail_friction_rate,
+    rail_loss,
+    rail_slip_rate,
+    with_rail,
+)
 from springback.dynamics.solution import solve as solve
 from springback.dynamics.stops import AHEAD
 from springback.dynamics.stops import end_stop as end_stop
@@ -222,7 +228,9 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
     seen_bodies = touched_obstacles(plant.pushes, field_of(bodies, "seen"))
 
     blown = aerodynamics(plant.air, velocity, r, fold(with_lift, a.thrust, listed, ()))
-    acts = ActingLoad(contact, blown.force, rotors.reaction, velocity, omega, released, listed)
+    rail = plant.guide.rail  # empty without dry friction
+    outside = fold(with_rail, blown.force, rail, (state.velocity, r))
+    acts = ActingLoad(contact, outside, rotors.reaction, velocity, omega, released, listed)
     whole = assemble(airframe.arms[0], airframe, a, acts)
     solved = solve(plant.guide, whole.system, r, world.gravity)
 
@@ -248,7 +256,7 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
         a.arm_loss + between.loss,
         a.stop_loss,
         contact.contact_loss,
-        contact.friction_loss,
+        fold(rail_loss, contact.friction_loss, rail, (state.velocity,)),
         0.0,
         blown.loss,
         push,
@@ -274,7 +282,10 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
     contact_rate = contact_rate_bound(
         contact.press, field_of(arms, "slide"), airframe.inverse_mass, inverse, reach(airframe)
     )
-    own = StepRates(friction_rate, contact_rate, math.sqrt(maximum(cage_slips + hull_slips)))
+    friction_rate = fold(rail_friction_rate, friction_rate, rail, (state.velocity, whole.system, r))
+    slips = math.sqrt(maximum(cage_slips + hull_slips))
+    slips = fold(rail_slip_rate, slips, rail, (state.velocity, acceleration))
+    own = StepRates(friction_rate, contact_rate, slips)
     limits = fold(with_body_rates, own, seen_bodies, ())
     view = View(
         acceleration,

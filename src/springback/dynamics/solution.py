@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple, Protocol
 
 from springback.contact.obstacles import World
@@ -17,16 +18,26 @@ from springback.kernels.vectors import (
 from springback.vehicle.state import Airframe, PlanarInverse
 
 
+class SliderFriction(NamedTuple):
+    """Dry friction of a slider's rail, the same whatever presses on it."""
+
+    axis: Vec  # unit vector, world
+    friction: float  # F [N]
+    slip_speed: float  # v_s, below which it is regularised [m/s]
+
+
 class Free(NamedTuple):
     """No constraint: six degrees of freedom and the arms."""
 
     unused: float
+    rail: tuple[SliderFriction, ...] = ()  # always empty
 
 
 class Slider(NamedTuple):
     """Constraint to one world axis without rotation, as on the paper's testbed."""
 
     axis: Vec  # unit vector, world
+    rail: tuple[SliderFriction, ...] = ()  # its dry friction; empty without any
 
 
 class Accelerations(NamedTuple):
@@ -141,6 +152,53 @@ def _solve_slider(guide: Slider, system: Any, r: Mat3, gravity: float) -> Accele
     mu = resisting(system, u)
     along_axis = (u @ system.force - mu @ weight) / (mu @ u)
     return Accelerations(weight + along_axis * u, Vec(0.0, 0.0, 0.0))
+
+
+# -- dry friction of a rail, for `fold` ------------------------------------------------------------
+
+
+@kernel
+def _per_speed(rail: SliderFriction, speed: float) -> float:
+    return 1.0 / math.sqrt(speed * speed + rail.slip_speed * rail.slip_speed)
+
+
+@kernel
+def with_rail(force: Vec, rail: SliderFriction, velocity: Vec, r: Mat3) -> Vec:
+    """A force, and that of a rail, −F v/√(v² + v_s²) along it, body axes [N].
+
+    Coulomb's law, regularised as `springback.contact.surfaces.friction_force` is.
+
+    Args:
+        force: So far, body axes [N].
+        rail: F [N], v_s [m/s].
+        velocity: Of the main body, world [m/s].
+        r: Body axes to world axes.
+    """
+    speed = rail.axis @ velocity
+    return force - (rail.friction * speed * _per_speed(rail, speed)) * (rail.axis @ r)
+
+
+@kernel
+def rail_loss(loss: float, rail: SliderFriction, velocity: Vec) -> float:
+    """A power, and that which a rail turns into heat [W]; arguments as for `with_rail`."""
+    speed = rail.axis @ velocity
+    return loss + rail.friction * speed * speed * _per_speed(rail, speed)
+
+
+@kernel
+def rail_friction_rate(
+    so_far: float, rail: SliderFriction, velocity: Vec, system: Any, r: Mat3
+) -> float:
+    """A bound on the rate of friction, and that of a rail on what it carries [1/s]."""
+    u = rail.axis @ r
+    mass = resisting(system, u) @ u
+    return so_far + rail.friction * _per_speed(rail, rail.axis @ velocity) / mass
+
+
+@kernel
+def rail_slip_rate(so_far: float, rail: SliderFriction, velocity: Vec, acceleration: Vec) -> float:
+    """A bound on the rate of slips over their regularised speed, and that of a rail [1/s]."""
+    return so_far + abs(rail.axis @ acceleration) * _per_speed(rail, rail.axis @ velocity)
 
 
 class Plant(Protocol):

@@ -92,6 +92,8 @@ def filter_sentences(fits: Sequence[ImpactFit], tested: Sequence[ChannelMisfit])
 def _unclipped(fit: ImpactFit, reading: ChannelWindow) -> Any:
     """True for samples that are not at the end of the range, where there is no noise."""
     full: float | None = None
+    if reading.clipped is not None:
+        return ~np.asarray(reading.clipped).any(axis=1)
     if reading.quantity in (SPECIFIC_FORCE, ANGULAR_VELOCITY):
         full = fit.problem.chain(reading).full_scale
     if full is None:

@@ -13,7 +13,7 @@ from pydantic_core import PydanticCustomError
 
 from springback.errors import InputError, shown_value
 from springback.problems import dotted_path, key_path, problem_paths
-from springback.quantities import Duration, Unit, si_number
+from springback.quantities import Duration, Length, Unit, si_number
 from springback.scenario.files import place_of
 from springback.scenario.overrides import apply_overrides
 from springback.scenario.source_text import source_text, toml_tables
@@ -129,6 +129,10 @@ class ArmLengthFit(Settings):
     the columns are in that order."""
     noise: Annotated[float, Unit("m", above=0.0)] | None = None
     """Standard deviation of a sample; by default as the scenario's Hall sensors have it."""
+    shortest: Annotated[float, Unit("m", above=0.0)] | None = None
+    """Least length that they can tell, as in the log; an arm there may be shorter."""
+    longest: Annotated[float, Unit("m", above=0.0)] | None = None
+    """Largest length that they can tell; an arm there may be longer."""
 
 
 class FitSensors(Settings):
@@ -221,14 +225,21 @@ SensorName = Literal["imu", "motion-capture", "arm-length"]
 
 
 class CandidateSettings(Settings):
-    """Tests among which `springback identify plan` chooses: all of these combined, and others."""
+    """Tests among which `springback identify plan` chooses: all of these combined, and others.
+
+    Flights have speeds, pitches and yaws; drops have heights, rolls and pitches.
+    """
 
     speeds: tuple[Annotated[float, Unit("m/s", above=0.0)], ...] = (1.0, 2.0, 3.5)
     """At touch, along the scenario's ``start.velocity``."""
     pitches: tuple[Annotated[float, Unit("rad")], ...] = (0.0, 0.2617993877991494)
-    """Of the start, nose down; none on a slider."""
+    """Of the start, nose down; none on a slider.  Of drops beside that of the scenario."""
     yaws: tuple[Annotated[float, Unit("rad")], ...] = (0.0, 0.7853981633974483)
     """Of the start; none on a slider."""
+    heights: tuple[Length, ...] = (0.3, 0.7, 1.5)
+    """Of drops, from the start to touch, along the slider if there is one."""
+    rolls: tuple[Annotated[float, Unit("rad")], ...] = (0.0, 0.7853981633974483)
+    """Of drops, beside that of the scenario's ``start``; none on a slider."""
     others: tuple[OtherExperiment, ...] = ()
     """Further tests, by overrides of the scenario."""
     sensors: tuple[SensorName, ...] = ("imu", "motion-capture")

@@ -24,6 +24,7 @@ from springback.contact.worlds import Own, obstacles
 from springback.dynamics.clearance import clearance
 from springback.dynamics.motion import Free, Slider
 from springback.dynamics.moving_obstacles import flown_scene
+from springback.dynamics.solution import SliderFriction
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.routines import routines_compiled
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
@@ -294,7 +295,12 @@ def unit(v: Vec) -> Vec:
 
 def guide_of(model: ModelSettings) -> Free | Slider:
     """Constraint of the vehicle."""
-    return Free(0.0) if model.slider is None else Slider(unit(Vec(*model.slider)))
+    if model.slider is None:
+        return Free(0.0)
+    axis = unit(Vec(*model.slider))
+    if not model.slider_friction > 0.0:
+        return Slider(axis)
+    return Slider(axis, (SliderFriction(axis, model.slider_friction, model.slider_slip_speed),))
 
 
 def contact_point_of(model: ModelSettings) -> Ring | ArmTip:

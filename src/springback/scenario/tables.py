@@ -157,6 +157,17 @@ class ModelSettings(Settings):
     """`hybrid`: one rigid body in free flight (assumption 5).  `always-free`: arms always slide."""
     slider: Annotated[Triple, Unit("")] | None = None
     """World axis of a slider that constrains the vehicle, as on the testbed; none: free flight."""
+    slider_friction: Annotated[float, Unit("N", least=0.0)] = 0.0
+    """Dry friction F of the slider's rail, −F v/√(v² + v_s²) whatever presses on it: what a spring
+    scale shows that pulls the vehicle along slowly.  Viscous drag is ``air.rotor_drag``."""
+    slider_slip_speed: Annotated[float, Unit("m/s", above=0.0)] = 0.03
+    """v_s, speed along the rail below which that friction is regularised, as of surfaces."""
+
+    @model_validator(mode="after")
+    def _rail_is_there(self) -> ModelSettings:
+        if self.slider is None and self.slider_friction != 0.0:
+            raise problem("needs a slider", "slider_friction")
+        return self
 
 
 class Payload(Settings):

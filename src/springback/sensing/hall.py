@@ -2,7 +2,8 @@
 
 Each arm carries a magnet on the axis of a linear Hall-effect sensor (A1302; the paper names it).
 The magnet is nearest while the arm is at its free length, and moves away as the arm is compressed,
-so that the first millimetres, which reveal an impact, have the best resolution.
+so that the first millimetres, which reveal an impact, have the best resolution.  An arm that opens
+beyond its free length has a second magnet and sensor, which mirror the first there.
 """
 
 from __future__ import annotations
@@ -49,6 +50,8 @@ class Span(NamedTuple):
     free: float  # L [m]
     shortest: float  # [m]
     longest: float  # [m]
+    opens: float = 0.0  # 1 for an arm that opens beyond its free length, with a second sensor there
+    share: float = 1.0  # way of the magnet per way of the arm's end, less than 1 near a hinge
 
 
 class HallSensors(NamedTuple):
@@ -65,6 +68,7 @@ class HallSensors(NamedTuple):
     counts: float  # of the converter, 2^bits
     every: Pace  # of its samples
     delay: float  # from sampling to arrival [ticks], at most four periods
+    beyond: float  # extension of the calibration beyond the free length [m]
     spans: tuple[Span, ...]
 
 
@@ -119,6 +123,19 @@ def output(sensors: HallSensors, compression: float) -> float:
 
 
 @kernel
+def output_at(sensors: HallSensors, span: Span, length: float) -> float:
+    """Voltage of the sensor of an arm [V] that reads at a length [m]."""
+    pressed = span.share * (span.free - length)
+    return output(sensors, -pressed if _is_mirrored(span, length) else pressed)
+
+
+@kernel
+def _is_mirrored(span: Span, length: float) -> bool:
+    """True where the second sensor of an arm reads: that of lengths beyond the free one."""
+    return (span.opens > 0.5) & (length > span.free)
+
+
+@kernel
 def word_of(sensors: HallSensors, voltage: float) -> float:
     """Converter output for a voltage, an integer from 0 to counts − 1."""
     low = voltage if voltage > sensors.lowest else sensors.lowest
@@ -126,6 +143,13 @@ def word_of(sensors: HallSensors, voltage: float) -> float:
     word = floor(inside / sensors.supply * sensors.counts)
     top = sensors.counts - 1.0
     return word if word < top else top
+
+
+@kernel
+def word_at(sensors: HallSensors, span: Span, length: float, voltage: float) -> float:
+    """Converter output at a length: voltages of the second sensor follow those of the first."""
+    word = word_of(sensors, voltage)
+    return word + sensors.counts if _is_mirrored(span, length) else word
 
 
 # -- inverse -------------------------------------------------------------------------------------
@@ -140,19 +164,24 @@ def calibrated_length(sensors: HallSensors, span: Span, word: float) -> float:
     Newton's method continues from there, to far less than the remaining error of half a count
     (`resolution`).  Outside the range the result is clamped to its ends.
     """
-    voltage = (word + 0.5) / sensors.counts * sensors.supply
-    low, high = span.shortest, span.longest
+    mirrored = word > sensors.counts - 0.5
+    own = word - sensors.counts if mirrored else word
+    voltage = (own + 0.5) / sensors.counts * sensors.supply
+    farthest = span.free - (span.longest - span.free)
+    low = farthest if mirrored else span.shortest
+    # Of two sensors each is calibrated as far beyond the free length as noise and counts need.
+    high = span.free + sensors.beyond if span.opens > 0.5 else span.longest
     for _ in range(HALVINGS):
         middle = 0.5 * (low + high)
-        longer = output(sensors, span.free - middle) < voltage
+        longer = output(sensors, span.share * (span.free - middle)) < voltage
         low = middle if longer else low
         high = high if longer else middle
     length = 0.5 * (low + high)
     for _ in range(NEWTON_STEPS):
-        pressed = span.free - length
+        pressed = span.share * (span.free - length)
         missing = voltage - output(sensors, pressed)
-        length = within(length - missing / slope(sensors, pressed), low, high)
-    return length
+        length = within(length - missing / (span.share * slope(sensors, pressed)), low, high)
+    return span.free + (span.free - length) if mirrored else length
 
 
 @kernel
@@ -172,14 +201,29 @@ def slope(sensors: HallSensors, compression: float) -> float:
     return sensors.sensitivity * 0.5 * m.remanence * square * change
 
 
-def resolution(sensors: HallSensors, compression: float) -> float:
+def resolution(sensors: HallSensors, compression: float, share: float = 1.0) -> float:
     """Change of arm length per count of the converter [m]; plain Python.
 
     Args:
         sensors: The sensors.
-        compression: L − l [m].
+        compression: L − l [m], or l − L where the second sensor of an arm reads.
+        share: As in `Span`.
     """
-    return sensors.supply / sensors.counts / abs(slope(sensors, compression))
+    slope_there = share * slope(sensors, share * compression)
+    return sensors.supply / sensors.counts / abs(slope_there)
+
+
+def ends(sensors: HallSensors, span: Span) -> tuple[float, float]:
+    """Shortest and longest length that an arm's sensor can tell [m]; plain Python.
+
+    It is the end of the calibration, or the length at which the output saturates before.
+    """
+    top = word_of(sensors, sensors.highest)
+    bottom = word_of(sensors, sensors.lowest)
+    low = calibrated_length(sensors, span, bottom)
+    if span.opens > 0.5:
+        return low, calibrated_length(sensors, span, bottom + sensors.counts)
+    return low, calibrated_length(sensors, span, top)
 
 
 # -- at a tick ------------------------------------------------------------------------------------
@@ -218,13 +262,13 @@ def _perfect(
 @kernel
 def _sample(span: Span, m: ArmMemory, length: float, sensors: HallSensors) -> ArmMemory:
     """One arm with the voltage for its present length."""
-    return ArmMemory(m.line, m.word, m.length, length, output(sensors, span.free - length))
+    return ArmMemory(m.line, m.word, m.length, length, output_at(sensors, span, length))
 
 
 @kernel
-def _convert(m: ArmMemory, normal: float, sensors: HallSensors) -> ArmMemory:
+def _convert(span: Span, m: ArmMemory, normal: float, sensors: HallSensors) -> ArmMemory:
     """One arm with the converter's output for that voltage in transit."""
-    word = word_of(sensors, m.output + sensors.noise * normal)
+    word = word_at(sensors, span, m.sampled, m.output + sensors.noise * normal)
     return ArmMemory(push(m.line, word), m.word, m.length, m.sampled, m.output)
 
 
@@ -276,7 +320,7 @@ def _arms_read(
     )
     if sampling:
         arms = tree_map(_sample, (sensors.spans, arms, truth.now.arm_length), (sensors,))
-        arms = tree_map(_convert, (arms, noise), (sensors,))
+        arms = tree_map(_convert, (sensors.spans, arms, noise), (sensors,))
     if fresh:
         arms = tree_map(_deliver, (sensors.spans, arms), (sensors,))
     flag, new = 1.0 if fresh else 0.0, 1.0 if sampling | fresh else 0.0
@@ -326,7 +370,7 @@ def _read_hall_sensors(device: TreeLayout, group: Group, noise: TickNoise) -> No
     for i in range(w * once if sampling > 0 else 0):
         sensors, arms = load(device, g, w, i), load(memory, g, w, i)
         drawn = read(noise.channels, noise.drawn, noise.first, w, i)
-        now = tree_map(_convert, (arms, drawn), (sensors,))
+        now = tree_map(_convert, (sensors.spans, arms, drawn), (sensors,))
         store(select(_is_sample_due(sensors, tick), now, arms), memory, g, w, i)
     for i in range(w * once if delivering > 0 else 0):
         sensors, arms = load(device, g, w, i), load(memory, g, w, i)
@@ -370,8 +414,8 @@ def arms_at_start(device: Any, start: State) -> Any:
 def _(device: HallSensors, start: State) -> Rarely:
     arms = []
     for span, length in zip(device.spans, start.arm_length, strict=True):
-        voltage = output(device, span.free - length)
-        word = word_of(device, voltage)
+        voltage = output_at(device, span, length)
+        word = word_at(device, span, length, voltage)
         known = calibrated_length(device, span, word)
         arms.append(ArmMemory(constant_line(word), word, known, length, voltage))
     return Rarely(0.0, HallMemory(tuple(arms)))

@@ -196,8 +196,8 @@ class HallSettings(Settings):
 
     One count of the converter is then 0.018 mm at the free length, 0.12 mm at 10 mm of compression,
     0.49 mm at 20 mm and 6.5 mm at the end of a stroke of 50 mm; the error of a length is at most
-    half a count.
-    wrong.
+    half a count.  Of an arm that opens beyond its free length a second magnet and sensor read that
+    side in the same way.
     """
 
     perfect: bool = False
@@ -211,6 +211,9 @@ class HallSettings(Settings):
     """Distance from the magnet's face to the sensor at the arm's free length."""
     overrun: Annotated[float, Unit("m", least=0.0)] = 2e-3
     """Extension of the calibration beyond both ends of the stroke; chosen."""
+    way: Length = 0.05
+    """Longest way of the magnet of a hinged arm: where the arm's end moves farther, the magnet sits
+    so much nearer to the hinge; chosen, the stroke of the paper's arms."""
     sensitivity: Annotated[float, Unit("V/T", above=0.0)] = 13.0
     supply: Annotated[float, Unit("V", above=0.0)] = 5.0
     quiescent: Annotated[float, Unit("V", above=0.0)] = 2.5
@@ -253,10 +256,15 @@ class HallSettings(Settings):
             every = period(self.rate, tick)
         with naming("delay"):
             delay = lateness(self.delay, every, tick)
-        spans = []
+        spans, hinged = [], vehicle.arms.hinges[:1] == (True,)
         for j, free in enumerate(vehicle.lengths()):
-            shortest = free - float(vehicle.arms.at("stroke", j))
-            spans.append(Span(free, shortest - self.overrun, free + self.overrun))
+            low, high = vehicle.arms.travel(j)
+            most = max(float(vehicle.arms.at("stroke", j)), high)
+            share = min(1.0, self.way / max(high, -low)) if hinged else 1.0
+            spans.append(Span(
+                free, free - most - self.overrun, free - low + self.overrun,
+                1.0 if low < 0.0 else 0.0, share,
+            ))  # fmt: skip
         sensors = HallSensors(
             magnet=self.magnet(),
             distance=self.distance,
@@ -269,10 +277,11 @@ class HallSettings(Settings):
             counts=float(2**self.bits),
             every=task_pace(every),
             delay=delay,
+            beyond=self.overrun,
             spans=tuple(spans),
         )
         for j, span in enumerate(spans, start=1):
-            if not slope(sensors, span.free - span.shortest) < 0.0:
+            if not slope(sensors, span.share * (span.free - span.shortest)) < 0.0:
                 raise problem(
                     f"leaves an output that does not change with the length of arm {j} where it is "
                     f"shortest, {span.shortest:g} m, so that it cannot be calibrated; check the "

@@ -21,6 +21,11 @@ from springback.identification.design.assumptions import (
     ImpactPoint,
     planned_assumptions,
 )
+from springback.identification.design.drops import (
+    DropWindow,
+    drop_candidates,
+    planned_drop,
+)
 from springback.identification.estimates import NOT_LEARNED
 from springback.identification.fits import base_scenario, fields_of_plan
 from springback.identification.observations.channel_window import ChannelWindow
@@ -137,7 +142,7 @@ def plan_experiments(
     """
     scenario, tables = base_scenario(plan, Path(folder))
     fields = fields_of_plan(plan, scenario)
-    given = _candidates(plan, scenario)
+    given = _candidates(plan, scenario, tables)
     found = []
     for k, (name, change) in enumerate(given):
         found.append(_candidate(plan, tables, fields, name, change))
@@ -194,9 +199,14 @@ def _untold(
     return tuple(f"no candidate tells {' and '.join(them)}: {why}" for why, them in found.items())
 
 
-def _candidates(plan: FitPlan, scenario: Scenario) -> list[tuple[str, list[str]]]:
+def _candidates(
+    plan: FitPlan, scenario: Scenario, tables: dict[str, Any]
+) -> list[tuple[str, list[str]]]:
     """Names and overrides of all candidates."""
     given, found = plan.candidates, list[tuple[str, list[str]]]()
+    others = [(one.name, list(one.change)) for one in given.others]
+    if plan.experiment == "drop":
+        return [*drop_candidates(plan, scenario, tables), *others]
     velocity = np.array(scenario.start.velocity)
     speed = float(np.linalg.norm(velocity))
     if speed > 0.0:
@@ -211,7 +221,7 @@ def _candidates(plan: FitPlan, scenario: Scenario) -> list[tuple[str, list[str]]
                 change += [f"start.pitch={pitch!r}", f"start.yaw={yaw!r}"]
             distance = fast * plan.window.before
             found.append((f"{fast:g} m/s{turned}", [*change, f"start.touch_distance={distance!r}"]))
-    found += [(one.name, list(one.change)) for one in given.others]
+    found += others
     if not found:
         raise InputError(
             "candidates: there is none: the scenario's start.velocity is zero, and "
@@ -227,7 +237,10 @@ def _candidate(
     try:
         changed = apply_overrides(tables, change)
         scenario = scenario_from(changed)
-        impact = planned_window(plan, scenario, name)
+        drop = None
+        if plan.experiment == "drop":
+            drop = planned_drop(plan, scenario, changed, _after(plan))
+        impact = planned_window(plan, scenario, name, drop)
         problem = ImpactProblem(plan, scenario, changed, fields, impact)
         middle = np.zeros(len(problem.unknowns))
         values = problem.predictions(middle)
@@ -266,16 +279,24 @@ def _half_widths(fields: Sequence[Unknown], information: Array) -> tuple[float, 
     )  # fmt: skip
 
 
-def planned_window(plan: FitPlan, scenario: Scenario, name: str) -> ImpactWindow:
+def _after(plan: FitPlan) -> float:
+    """Time after touch that a test records [s]."""
+    return AFTER if plan.window.after is None else plan.window.after + 0.05
+
+
+def planned_window(
+    plan: FitPlan, scenario: Scenario, name: str, drop: DropWindow | None = None
+) -> ImpactWindow:
     """Readings, without values yet, that the scenario's sensors would make of a test.
 
     Args:
         plan: Of the fit.
         scenario: Of the test; it begins ``window.before`` before touch.
         name: Of the test.
+        drop: Part of a drop that is used, for which the scenario begins where it is let go.
     """
-    sensors, before = scenario.sensors, plan.window.before
-    until = before + (AFTER if plan.window.after is None else plan.window.after + 0.05)
+    sensors, before = scenario.sensors, plan.window.before if drop is None else drop.before
+    until = before + (_after(plan) if drop is None else drop.after)
     readings: list[ChannelWindow] = []
 
     def add(quantity: str, rate: float, noise: ChannelNoise, other: bool, width: int) -> None:
@@ -321,6 +342,7 @@ def planned_window(plan: FitPlan, scenario: Scenario, name: str) -> ImpactWindow
         np.array(state.position), np.array(state.velocity), np.array(state.attitude),
         np.array(state.angular_velocity), "motion-capture" in plan.candidates.sensors,
     )  # fmt: skip
+    guess = guess if drop is None else drop.start
     uncertainty = plan.clocks.uncertainty
     return ImpactWindow(name, before, until, until, guess, tuple(readings), uncertainty, None)
 

@@ -19,3 +19,4 @@ class ChannelWindow(NamedTuple):
     starts: Any  # True for samples that follow a gap, and for the first
     chain: SensorChain
     other_clock: bool
+    clipped: Any = None  # lengths of arms at the ends of their sensors' ranges, as values; or None

@@ -67,6 +67,13 @@ def fall_of(scenario: Scenario) -> Fall:
         raise InputError(f"{what}, so nothing drops")
     state = scenario.start_state()
     pull = scenario.world.gravity * float(-down[2])
+    if scenario.model.slider is not None:
+        pull -= scenario.model.slider_friction / scenario.vehicle.mass
+        if not pull > 0.0:
+            raise InputError(
+                "model.slider_friction: holds the vehicle on the slider, so nothing drops (got "
+                f"{scenario.model.slider_friction:g} N)"
+            )
     try:
         way = float(
             way_to_touch(scenario.flight_model(), state._replace(velocity=Vec(*down.tolist())))

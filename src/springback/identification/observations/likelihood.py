@@ -43,7 +43,7 @@ from springback.logs.recording import (
     Array,
 )
 from springback.scenario.scenario import Scenario, scenario_from
-from springback.sensing.hall import HallSensors, slope
+from springback.sensing.hall import HallSensors, resolution
 
 #: Scale of Student's t at which normal noise of deviation 1 has equal score variance and
 #: curvature, so that intervals keep their cover (solved numerically, for 4 degrees of freedom).
@@ -312,7 +312,8 @@ class ImpactProblem:
             lengths = samples.of(*(f"arm_length.{j}" for j in arms))
             rates = samples.of(*(f"arm_rate.{j}" for j in arms))
             # Of before, as readings are.
-            return between.positions(lengths - lengths[:, :1], rates)
+            found = between.positions(lengths - lengths[:, :1], rates)
+            return found if one.clipped is None else _at_ends(found, one, width)
         if one.quantity == VELOCITY:
             return between.linear(samples.vectors("velocity"))
         place = between.positions(samples.vectors("position"), samples.vectors("velocity"))
@@ -374,14 +375,31 @@ class ImpactProblem:
             return 0.0
         device = s.sensors.devices(1.0 / s.clock, s.vehicle).arm_length
         assert isinstance(device, HallSensors)
-        pressed = np.clip(-np.nan_to_num(one.values), 0.0, None)
-        found = [[abs(slope(device, float(x))) for x in row] for row in pressed]
-        return device.supply / device.counts / np.array(found) / np.sqrt(12.0)
+        pressed = -np.nan_to_num(one.values)
+        spans = [*device.spans, *(device.spans[-1],) * max(0, pressed.shape[1] - len(device.spans))]
+        found = [
+            [resolution(device, abs(x) if span.opens else max(x, 0.0), span.share)
+             for x, span in zip(row, spans, strict=False)] for row in pressed.tolist()
+        ]  # fmt: skip
+        return np.array(found) / np.sqrt(12.0)
 
     @property
     def farthest(self) -> float:
         """Bound of every number."""
         return FARTHEST
+
+
+def _at_ends(lengths: Array, one: ChannelWindow, width: int) -> Array:
+    """Lengths of arms as their sensors tell them where a reading is at the end of its range.
+
+    Args:
+        lengths: Predicted, of before, shape (points, samples, arms).
+        one: Readings.
+        width: Number of arms.
+    """
+    read, clipped = one.values[:, :width], np.asarray(one.clipped)[:, :width]
+    beyond = np.where(read > 0.0, lengths > read, lengths < read)
+    return np.where(clipped & beyond, read, lengths)
 
 
 def has_sensors(scenario: Scenario) -> bool:

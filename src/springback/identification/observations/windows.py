@@ -33,7 +33,6 @@ from springback.logs.recording import (
     POSITION,
     SPECIFIC_FORCE,
     VELOCITY,
-    Array,
     LogChannel,
     Recording,
     SensorChain,
@@ -303,7 +302,9 @@ def _reading(
     before = (times >= impact.touch - QUIET) & (times < impact.touch - CLEAR)
     if quantity == ATTITUDE:
         values = continuous(values)
+    clipped = None
     if quantity == ARM_LENGTH:
+        clipped = _arms_at_ends(plan, channel)
         values = values - np.nanmedian(values[before], axis=0) if before.any() else values
         values = _by_arm(values, plan.sensors.arm_length.order)
     given = _given_noise(plan, quantity)
@@ -325,7 +326,10 @@ def _reading(
     home = inertial[0] if inertial else one
     other = not (one.recording is home.recording and channel.clock == home.channel.clock)
     chain = _with_range(channel)
-    return ChannelWindow(quantity, channel.name, at, values[inside], noise, starts, chain, other)
+    flags = None if clipped is None else clipped[inside]
+    return ChannelWindow(
+        quantity, channel.name, at, values[inside], noise, starts, chain, other, flags
+    )
 
 
 def known_filter(sensors: FitSensors, channel: LogChannel) -> ChannelChain:
@@ -345,7 +349,20 @@ def known_filter(sensors: FitSensors, channel: LogChannel) -> ChannelChain:
     return ChannelChain(None, low, None, order, given.device_low_pass)
 
 
-def _by_arm(values: Array, order: tuple[int, ...]) -> Array:
+def _arms_at_ends(plan: WindowPlan, channel: LogChannel) -> Any:
+    """Lengths at the end of a sensor's range, of plan or log, by arm; None if neither tells."""
+    told, flags = plan.sensors.arm_length, channel.clipped
+    if told.shortest is not None or told.longest is not None:
+        low = -np.inf if told.shortest is None else told.shortest
+        high = np.inf if told.longest is None else told.longest
+        with np.errstate(invalid="ignore"):
+            flags = (channel.values <= low) | (channel.values >= high)
+    if flags is None or not flags.any():
+        return None
+    return _by_arm(flags, told.order)
+
+
+def _by_arm(values: Any, order: tuple[int, ...]) -> Any:
     """Columns in the order of the arms.
 
     Raises:
@@ -364,6 +381,8 @@ def _by_arm(values: Array, order: tuple[int, ...]) -> Array:
 def _with_range(channel: LogChannel) -> SensorChain:
     """Chain of a channel; a range that is not told is that of the samples marked as clipped."""
     chain, clipped = channel.chain, channel.clipped
+    if channel.quantity == ARM_LENGTH:
+        return chain
     if chain.full_scale is not None or clipped is None or not clipped.any():
         return chain
     return replace(chain, full_scale=float(np.nanmax(np.abs(channel.values[clipped]))))

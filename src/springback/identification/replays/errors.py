@@ -271,6 +271,12 @@ def remarks(flown: Replay, rows: Sequence[ErrorRow]) -> list[str]:
             f"{flown.impact.clipped} samples of {flown.impact.channel} are clipped: the peak is "
             "that of its range, recorded and predicted"
         )
+    arms = flown.of(ARM_LENGTH)
+    if arms is not None and arms.clipped is not None and arms.clipped.any():
+        found.append(
+            f"{int(arms.clipped.any(axis=1).sum())} samples of {arms.name} are at the end of their "
+            "range: predictions beyond it are compared as what the sensor would tell"
+        )
     touch = next((row for row in rows if row.what == TOUCH), None)
     if touch is not None and touch.is_beyond:
         speed = float(np.linalg.norm(flown.problem.impact.start.velocity))

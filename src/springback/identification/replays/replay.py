@@ -382,7 +382,8 @@ def _from(read: ImpactWindow, at: float) -> ImpactWindow:
         starts = one.starts[later].copy()
         starts[0] = True
         kept.append(one._replace(
-            times=np.maximum(one.times[later] - at, 0.0), values=one.values[later], starts=starts
+            times=np.maximum(one.times[later] - at, 0.0), values=one.values[later], starts=starts,
+            clipped=None if one.clipped is None else one.clipped[later],
         ))  # fmt: skip
     return read._replace(
         touch=read.touch - at, release=read.release - at, until=read.until - at,

@@ -62,6 +62,8 @@ def replays(fit: ImpactFit) -> list[ChannelReplay]:
             full = problem.chain(one).full_scale
             if full is not None:
                 clipped = np.abs(measured) >= CLIPPED * full
+        elif one.clipped is not None:
+            clipped = np.asarray(one.clipped, dtype=bool)
         found.append(ChannelReplay(
             one, times, measured, predicted[:, : measured.shape[1]], errors[one.name], clipped
         ))  # fmt: skip

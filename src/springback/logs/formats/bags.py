@@ -19,7 +19,7 @@ from springback.logs.formats.ros import READERS, RosCollector, is_read, refuse_d
 from springback.logs.recording import Recording, TimeSpan, refuse_without_channels
 
 _NAME = re.compile(r"[A-Za-z0-9_/]*", re.ASCII)
-#: Longest record of an MCAP file that is read [bytes] (chosen).
+#: Longest record of an MCAP file, and chunk of a bag of ROS 1, that is read [bytes] (chosen).
 LONGEST_RECORD = 256 * 2**20
 #: Longest message that is decoded [bytes] (chosen: poses and inertial data are short).
 LONGEST_MESSAGE = 2**20
@@ -236,6 +236,13 @@ def _bag_messages(path: Path, remarks: list[str]) -> Iterator[RawMessage]:
     rosbag = needs("rosbags.rosbag1", "logs")
     try:
         with rosbag.Reader(path) as reader:
+            longest = max((one.datasize for one in reader.chunks.values()), default=0)
+            if longest > LONGEST_RECORD:
+                raise InputError(
+                    f"{path}: has a chunk of {1e-6 * longest:.0f} MB, which would have to be held "
+                    f"at once: write it again in chunks of less than {1e-6 * LONGEST_RECORD:.0f} "
+                    "MB (rosbag record --chunksize)"
+                )
             wanted = [one for one in reader.connections if is_read(one.topic, one.msgtype)]
             names = {one.topic for one in reader.connections} - {one.topic for one in wanted}
             if names:

@@ -24,10 +24,13 @@ from springback.logs.recording import (
 )
 from springback.results.result import FlightResult
 from springback.results.saved import is_result, load
+from springback.sensing.hall import HallSensors, ends
 from springback.sensing.parameters import HallSettings
 
 #: Name of the clocks: on board, and of the motion capture, which share their zero here.
 ONBOARD, CAPTURE = "log", "motion capture"
+#: Rounding of a length at the end of a sensor's range [m] (chosen).
+ROUNDING = 1e-9
 
 
 def log_or_flight(path: Path, options: LogOptions) -> Recording:
@@ -85,8 +88,10 @@ def flight_recording(flight: FlightResult, path: Path) -> Recording:
     if names:
         rows, at = _hall_samples(told["t"], sensors.hall)
         values = np.stack([told[name] for name in names], axis=1)[rows]
-        chain = SensorChain(note="simulated")
-        channels.append(log_channel(where, "arm lengths", ARM_LENGTH, at, values, chain=chain))
+        chain, clipped = SensorChain(note="simulated"), _arms_at_ends(flight, values)
+        channels.append(log_channel(
+            where, "arm lengths", ARM_LENGTH, at, values, chain=chain, clipped=clipped
+        ))  # fmt: skip
     propulsion = flight.scenario.vehicle.propulsion
     if flight.is_piloted and propulsion is not None:
         names = sorted(name for name in told if name.startswith("command"))
@@ -104,6 +109,16 @@ def _hall_samples(ticks: Array, hall: HallSettings) -> tuple[Any, Array]:
     every, late = max(1, round(1.0 / (hall.rate * tick))), round(hall.delay / tick)
     rows = np.arange(late, len(ticks), every)
     return rows, np.round(ticks[rows] - late * tick, 9)
+
+
+def _arms_at_ends(flight: FlightResult, lengths: Array) -> Any:
+    """True for lengths at the end of what a sensor can tell, shape as given; None for all."""
+    scenario = flight.scenario
+    device = scenario.sensors.devices(1.0 / scenario.clock, scenario.vehicle).arm_length
+    if not isinstance(device, HallSensors):
+        return None
+    low, high = np.array([ends(device, span) for span in device.spans]).T
+    return (lengths <= low + ROUNDING) | (lengths >= high - ROUNDING)
 
 
 def _columns(told: dict[str, Array], stem: str, axes: str) -> Array:

@@ -254,7 +254,7 @@ def awaits_return(impacts: float, first: FirstImpact) -> bool:
 def is_quiet(
     timing: Timing, touching: float, phase: float, impact_open: float, ahead: bool, others: Any
 ) -> bool:
-    """True if a step as one rigid body misses nothing; never where obstacles move or give lift."""
+    """True if a step as one rigid body misses nothing; never where others act (movers, rails)."""
     still = (touching == 0.0) & (phase == FREE_FLIGHT) & (impact_open == 0.0)
     return still & (not ahead) & (timing.hybrid > 0.0) & (len(others) == 0)
 
@@ -282,8 +282,8 @@ def clearance_check(model: Model, state: State, m: Record) -> ClearanceCheck:
     room = room_around(model.airframe, model.world, model.contact_point, state)
     fastest = fastest_point(model.airframe, state.velocity, state.angular_velocity)
     c, ahead = m.contacts, awaits_return(m.contacts.impacts, m.first_impact)
-    others, phase = state.bodies + model.surface_effect, m.stepping.phase
-    quiet = is_quiet(model.timing, c.touching, phase, c.impact_open, ahead, others)
+    others = state.bodies + model.surface_effect + model.guide.rail
+    quiet = is_quiet(model.timing, c.touching, m.stepping.phase, c.impact_open, ahead, others)
     cruising = select(quiet & has_room(room, fastest, model.timing.free_step), CRUISING, STEERED)
     return ClearanceCheck(cruising, room)
 
@@ -450,7 +450,7 @@ def _stepping_after(
     changed = (phase != now.phase) | at.strikes
     halted = finished | changed | (now.status != FLYING)
     step = select(halted, 0.0, smaller(step, left))
-    others = state.bodies + model.surface_effect
+    others = state.bodies + model.surface_effect + model.guide.rail
     quiet = is_quiet(timing, at.touching, phase, at.impact_open, ahead, others)
     quiet = quiet & (step > 0.0)
     return Stepping(
