@@ -20,6 +20,7 @@ from springback.identification.law_comparison import (
     LawPredictions,
     compare_laws,
     equal_numbers,
+    left_out_problem,
 )
 from springback.identification.solving.fitting import fit_impact
 from springback.interfaces.cli.identify.fitting import fit_text
@@ -106,3 +107,49 @@ def test_another_law_begins_with_the_same_depth_and_restitution() -> None:
     constant = equal_numbers("constant-restitution", surface, {"dissipation": 0.2}, mass, speed)
     assert constant["restitution"] == pytest.approx(restitution(0.2, speed))
     assert np.isfinite(list(equal_numbers("hertz", surface, {}, mass, speed).values())).all()
+
+
+def test_what_the_others_tell_together_predicts_the_one_left_out() -> None:
+    """Stiffness and mass are told by their ratio: ln p rises as that of three normal densities.
+
+    Each impact tells of both by N(m, Λ⁻¹).  With the prior alone, and with what the others tell
+    besides, ln p differs by the ratio of two normal integrals; taken as independent, the same
+    numbers would predict worse by 2.2 to 2.7 each.
+    """
+    fits = []
+    for k, speed in enumerate(SPEEDS):
+        tables = rig("quad", speed) | {"seed": k}
+        free, known = {STIFFNESS: "factor 4"}, {"vehicle.body.mass": "+- 5 %", LOSS: "exact"}
+        problem = problem_of(
+            tables, recorded(copy.deepcopy(tables)), free, known=known, scatter="none",
+            compare={"laws": ["hunt-crossley"]},
+        )  # fmt: skip
+        fits.append(fit_impact(problem, starts=1, seed=0, profiles=False))
+    names = [STIFFNESS, "vehicle.body.mass"]
+    which = [fits[0].problem.place[name] for name in names]
+    precisions, points = [], []
+    for one in fits:
+        whole = np.linalg.inv(one.covariance[np.ix_(which, which)])
+        precisions.append(whole - np.eye(2))
+        points.append(whole @ one.point[which])
+    found = compare_laws(result_of(fits[0].problem.plan, fits))
+    assert found is not None
+
+    def evidence(precision: np.ndarray, weighted: np.ndarray) -> float:
+        """ln ∫ of a normal density's exponential, about 0."""
+        square = float(weighted @ np.linalg.solve(precision, weighted))
+        return 0.5 * (square - float(np.linalg.slogdet(precision)[1]))
+
+    for k, fit in enumerate(fits):
+        others = [j for j in range(3) if j != k]
+        before = np.eye(2) + sum(precisions[j] for j in others)
+        weighted = sum(points[j] for j in others)
+        more = evidence(before + precisions[k], weighted + points[k]) - evidence(before, weighted)
+        alone = evidence(np.eye(2) + precisions[k], points[k])
+        slopes = fit.jacobian
+        score = -0.5 * (fit.cost + float(np.linalg.slogdet(slopes.T @ slopes)[1]))
+        assert found.models[0].scores[k] - score == pytest.approx(more - alone, abs=0.3)
+        joint = left_out_problem(fit, [fits[j] for j in others], scatter=False).together
+        assert joint is not None
+        spread = joint.root @ joint.root.T
+        assert spread[0, 1] / np.sqrt(spread[0, 0] * spread[1, 1]) > 0.9

@@ -1,9 +1,10 @@
 """Contact laws, or other models, compared by how well each predicts impacts it was not fitted to.
 
-Each impact is left out in turn.  What the others tell of the free fields, with their scatter, is
-the prior of the one left out; its predictive density is then that of its readings with fields and
-latents integrated out (Laplace): ln p = −½ cost − ½ ln det JᵀJ, up to what all models share.  All
-models see the same noise.  Differences of the sums have a standard error from their scatter over
+Each impact is left out in turn.  What the others tell together of the free fields and of what all
+share, with correlations and scatter, is the prior of the one left out, of precision P; its
+predictive density is then that of its readings with fields and latents integrated out (Laplace):
+ln p = ½ ln det P − ½ cost − ½ ln det JᵀJ, up to what all models share.  All models see the same
+noise.  Differences of the sums have a standard error from their scatter over
 the impacts (Vehtari, Gelman and Gabry, Statistics and Computing 27, 2017).
 """
 
@@ -14,17 +15,16 @@ from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
-import scipy  # submodules are loaded on first use
 
 from springback.contact.laws.restitution import dissipation_for, restitution
 from springback.errors import InputError
 from springback.identification.fits import FitResult, fields_of_plan
-from springback.identification.observations.likelihood import ImpactProblem
+from springback.identification.observations.likelihood import ImpactProblem, JointPrior
 from springback.identification.settings import FitPlan, LawName
 from springback.identification.solving.fitting import ImpactFit, fit_impact
 from springback.identification.solving.least_squares import jacobians, solve
-from springback.identification.solving.pooling import pool
-from springback.identification.unknowns import FARTHEST, Unknown
+from springback.identification.solving.pooled_fields import pooled_posterior
+from springback.identification.unknowns import FARTHEST
 from springback.progress import Progress, silent
 from springback.scenario.overrides import apply_overrides, with_value
 from springback.scenario.scenario import Scenario, scenario_from
@@ -169,13 +169,15 @@ def compare_laws(result: FitResult, *, progress: Progress = silent) -> LawCompar
         _Model(one.name, None, one.change, one.free) for one in plan.compare.others
     )]  # fmt: skip
     own = _own_name(plan, first.scenario)
-    found = [_scored(own, fits, fits)]
+    scatter = plan.scatter == "impact"
+    found = [_scored(own, fits, fits, scatter=scatter)]
     for k, model in enumerate(models):
         progress((k + 1) / (len(models) + 1))
         if model.name == own:
             continue
         try:
-            found.append(_scored(model.name, _refitted(plan, model, fits), fits))
+            again = _refitted(plan, model, fits)
+            found.append(_scored(model.name, again, fits, scatter=scatter))
         except InputError as error:
             scores = (-math.inf,) * len(fits)
             found.append(
@@ -280,26 +282,32 @@ def _refitted(plan: FitPlan, model: _Model, fits: Sequence[ImpactFit]) -> list[I
     return found
 
 
-def _scored(name: str, fits: Sequence[ImpactFit], own: Sequence[ImpactFit]) -> LawPredictions:
+def _scored(
+    name: str, fits: Sequence[ImpactFit], own: Sequence[ImpactFit], *, scatter: bool
+) -> LawPredictions:
     """Score of a model by the impacts left out.
 
     Args:
         name: Of the model.
         fits: Of all impacts, by it.
         own: The same by the plan's model, whose noise is that of all models.
+        scatter: True: free fields may differ from impact to impact.
     """
     scores, squares, samples = [], 0.0, 0
     for k, fit in enumerate(fits):
         rest = [one for j, one in enumerate(fits) if j != k]
-        problem = _predicting(fit, rest)
+        problem = left_out_problem(fit, rest, scatter=scatter)
         problem.readings = own[k].problem.readings
+        prior = problem.together
+        assert prior is not None
         start = fit.point.copy()
-        start[: problem.count] = 0.0
+        start[prior.which] = prior.mean
         found = solve(problem, start[None], farthest=FARTHEST)
         point = found.points[0]
         residuals, [slopes] = jacobians(problem, point[None], np.ones(len(point), dtype=bool))
         determinant = float(np.linalg.slogdet(slopes.T @ slopes)[1])
-        score = -0.5 * float((residuals[0] ** 2).sum()) - 0.5 * determinant
+        square = float((residuals[0] ** 2).sum())
+        score = 0.5 * (prior.precision - square - determinant)
         scores.append(score if math.isfinite(score) else -math.inf)
         impact = problem.impact
         for reading in problem.readings:
@@ -314,23 +322,18 @@ def _scored(name: str, fits: Sequence[ImpactFit], own: Sequence[ImpactFit]) -> L
     return LawPredictions(name, tuple(scores), contact, estimates, "")
 
 
-def _predicting(fit: ImpactFit, rest: Sequence[ImpactFit]) -> ImpactProblem:
-    """Problem of an impact whose free fields have what the others tell as their prior."""
-    old, fields = fit.problem, list[Unknown]()
-    for k, one in enumerate(old.fields):
-        if one.role != "free":
-            fields.append(one)
-            continue
-        points = np.array([other.point[k] for other in rest])
-        variances = np.array([other.covariance[k, k] for other in rest])
-        # The prior is in every fit: it is taken out of each, and counted once.
-        told = np.maximum(1.0 / variances - 1.0, 1e-6)
-        together = pool(points / variances / told, told**-0.5)
-        quantile = float(scipy.stats.t.ppf(0.975, len(rest) - 1))
-        error = (together.high - together.low) / (2.0 * quantile)
-        weight = 1.0 / (error**2 + together.scatter**2)
-        middle, deviation = weight * together.value / (1.0 + weight), (1.0 + weight) ** -0.5
-        fields.append(one._replace(
-            centre=one.centre + middle * one.deviation, deviation=deviation * one.deviation
-        ))  # fmt: skip
-    return ImpactProblem(old.plan, old.scenario, old.tables, fields, old.impact)
+def left_out_problem(fit: ImpactFit, rest: Sequence[ImpactFit], *, scatter: bool) -> ImpactProblem:
+    """Problem of an impact whose prior is what the others tell, correlations and scatter included.
+
+    Args:
+        fit: Of the impact that is left out.
+        rest: Of the others, at least two.
+        scatter: True: free fields may differ from impact to impact.
+    """
+    old = fit.problem
+    problem = ImpactProblem(old.plan, old.scenario, old.tables, old.fields, old.impact)
+    told = pooled_posterior(rest, scatter=scatter)
+    which = np.array([problem.place[name] for name in told.names])
+    root = np.linalg.cholesky(told.covariance + told.scatter)
+    problem.together = JointPrior(which, told.mean, np.asarray(root, dtype=float))
+    return problem

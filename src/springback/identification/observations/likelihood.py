@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -62,6 +62,25 @@ CORNER = {
 }  # fmt: skip
 
 
+class JointPrior(NamedTuple):
+    """Normal prior of some unknowns with their correlations; that of the others stays."""
+
+    which: Any  # places of the unknowns, shape (some,)
+    mean: Array  # u, shape (some,)
+    root: Array  # L of their covariance L Lᵀ, shape (some, some)
+
+    def residuals(self, u: Array) -> Array:
+        """Residuals of the prior of all unknowns at some points, shape as given."""
+        found = u.copy()
+        found[:, self.which] = np.linalg.solve(self.root, (u[:, self.which] - self.mean).T).T
+        return found
+
+    @property
+    def precision(self) -> float:
+        """Logarithm of the determinant of their precision."""
+        return -2.0 * float(np.log(np.diag(self.root)).sum())
+
+
 class ImpactProblem:
     """Residuals of an impact as a function of its unknowns."""
 
@@ -100,6 +119,8 @@ class ImpactProblem:
         every = np.concatenate([*inertial, [impact.until]])
         self.grid = fine_grid(every, impact.until)
         self.count = len(self.fields)
+        #: What is known of the unknowns together, in place of the prior of each.
+        self.together: JointPrior | None = None
         #: Flights flown so far.
         self.flown = 0
         self._width = 0
@@ -242,7 +263,8 @@ class ImpactProblem:
                 raise
             return np.full((len(u), self._width), np.nan)
         parts = [self._channel_rows(one, samples, which, u) for one in self.readings]
-        found = np.concatenate([*parts, u], axis=1)
+        prior = u if self.together is None else self.together.residuals(u)
+        found = np.concatenate([*parts, prior], axis=1)
         self._width = found.shape[1]
         lost: Any = np.isnan(samples.values).any(axis=(1, 2))
         found[lost[which]] = np.nan
