@@ -8,9 +8,10 @@ from typing import Any
 
 import pytest
 
+from builders.rigs import rig_fit
 from identification.rigs import SPRING, problem_of, recorded, rig
 from springback.errors import InputError
-from springback.identification.fits import check_chain, read_flights
+from springback.identification.fits import check_chain, fit, read_flights
 from springback.identification.replays.errors import channel_errors, error_rows
 from springback.identification.replays.replay import replay, scenario_tables
 from springback.identification.settings import read_fit_plan
@@ -130,3 +131,23 @@ def test_axes_given_to_a_mapping_are_refused(folder: Path) -> None:
     (folder / "fit.toml").write_text(text + flight)
     with pytest.raises(InputError, match=r"^--world: is not read for .*impact_log.csv, whose"):
         read_flights(read_fit_plan(folder / "fit.toml"), folder)
+
+
+def test_the_mass_of_a_body_of_parts_is_not_a_field(folder: Path) -> None:
+    """It was flown, and refused there, with a hint at obstacles and frames."""
+    part = '{type = "box", mass = "1 kg", size = ["0.1 m", "0.1 m", "0.1 m"]}'
+    scenario = (folder / "arq_wall.toml").read_text()
+    scenario = scenario.replace(
+        'vehicle = "arq"', f'vehicle = {{preset = "arq", body = {{parts = [{part}]}}}}'
+    )
+    (folder / "arq_wall.toml").write_text(scenario)
+    plan = read_fit_plan(folder / "fit.toml")
+    with pytest.raises(InputError, match=r'known\."vehicle\.body\.mass": follows from the parts'):
+        fit(plan, folder)
+
+
+def test_values_that_are_not_settled_are_not_called_learned() -> None:
+    """However narrow their intervals."""
+    [one, *_] = rig_fit().estimates
+    assert one.verdict == "learned"
+    assert one._replace(settled=False).verdict == "not settled"

@@ -1,5 +1,6 @@
 """Histories of vehicles whose arms are on joints: energies and turning, against other ways."""
 
+import re
 from typing import Any
 
 import numpy as np
@@ -159,3 +160,14 @@ def test_locked_arms_do_not_turn_the_body(flight: Flight) -> None:
     before = flight.t < touch - 1e-9
     assert before.sum() > 5
     assert np.abs(angular_acceleration(flight)[before]).max() < 1e-9
+
+
+def test_a_hinge_that_breaks_is_told_by_its_torque() -> None:
+    """In N m, as the limit was given; a force along the path, where that was."""
+    given = tables(HINGE)
+    given["vehicle"]["limits"] = {"hinge_torque": "0.4 N m"}
+    [first, *_] = fly(given).broken_parts
+    assert re.match(r"hinge of arm \d: more than 0\.4 N m", first), first
+    given["vehicle"]["limits"] = {"arm_force": "3 N"}
+    [first, *_] = fly(given).broken_parts
+    assert re.match(r"arm \d: more than 3 N", first), first

@@ -118,3 +118,8 @@ def test_a_later_peak_and_a_bottomed_arm_are_explained() -> None:
     same = repr(Flight(scenario, Outcome.SEPARATED, within, {}, {}))
     assert "after the first impact" not in same
     assert "stroke at" not in same
+    settling = measures | {"peak_acceleration": 148.0}  # the first impact's, while arms settle
+    resting = measures | {"impact_peak_acceleration": None, "peak_acceleration": 1.6e-13}
+    for known in (settling, resting):
+        told = repr(Flight(scenario, Outcome.SEPARATED, known, {}, {}))
+        assert "after the first impact" not in told

@@ -36,6 +36,7 @@ class FieldEstimate(NamedTuple):
     high: float
     deviation: float  # standard, of u: the posterior's share of the prior
     pooled: PooledValue | None  # of several impacts, in u
+    settled: bool = True  # False: the optimum is not, nor is the interval
 
     @property
     def prior(self) -> tuple[float, float]:
@@ -44,7 +45,12 @@ class FieldEstimate(NamedTuple):
 
     @property
     def verdict(self) -> str:
-        """``learned``, ``partly learned``, ``not learned``, ``at least`` or ``at most``."""
+        """``learned``, ``partly learned``, ``not learned``, ``at least``, ``at most``.
+
+        Or ``not settled``, if the search found better values on its way: then no interval holds.
+        """
+        if not self.settled:
+            return "not settled"
         below, above = np.isfinite(self.low), np.isfinite(self.high)
         if below and not above and self.deviation < NOT_LEARNED:
             return "at least"
@@ -76,12 +82,15 @@ def field_estimates(fits: Sequence[ImpactFit], *, scatter: bool) -> list[FieldEs
     free = [one for one in first.fields if one.role == "free"]
     known = [one for one in first.fields if one.role == "known"]
     if len(fits) == 1:
-        return [_alone(unknown, fits[0]) for unknown in (*free, *known)]
-    shared = shared_numbers(fits, scatter=scatter)
-    return [
-        *(_pooled(unknown, fits, shared, scatter) for unknown in free),
-        *(_known(unknown, shared) for unknown in known),
-    ]
+        found = [_alone(unknown, fits[0]) for unknown in (*free, *known)]
+    else:
+        shared = shared_numbers(fits, scatter=scatter)
+        found = [
+            *(_pooled(unknown, fits, shared, scatter) for unknown in free),
+            *(_known(unknown, shared) for unknown in known),
+        ]
+    settled = all(fit.settled for fit in fits)
+    return [one._replace(settled=settled) for one in found]
 
 
 def _alone(unknown: Unknown, fit: ImpactFit) -> FieldEstimate:

@@ -82,8 +82,9 @@ class FitResult(NamedTuple):
     def is_informative(self) -> bool:
         """True if any free field was learned, at least partly."""
         return any(
-            one.verdict != "not learned" for one in self.estimates if one.unknown.role == "free"
-        )
+            one.verdict not in ("not learned", "not settled")
+            for one in self.estimates if one.unknown.role == "free"
+        )  # fmt: skip
 
 
 def base_scenario(plan: FitPlan, folder: Path) -> tuple[Scenario, dict[str, Any]]:
@@ -177,6 +178,13 @@ def fields_of_plan(plan: FitPlan, scenario: Scenario) -> list[Unknown]:
     Raises:
         InputError: If one is no number of the scenario, or its uncertainty cannot be read.
     """
+    for name in (*plan.free, *plan.known):
+        if name.startswith("vehicle.body.mass") and _is_derived(scenario):
+            table = "free" if name in plan.free else "known"
+            raise InputError(
+                f'{table}."{name}": follows from the parts of the body; give the uncertainty of '
+                'theirs, such as "vehicle.body.parts.0.mass" = "+- 2 %"'
+            )
     fields = [field_unknown(name, text, "free", scenario) for name, text in plan.free.items()]
     for name, text in plan.uncertainties().items():
         if name in LISTS:

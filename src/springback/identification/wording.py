@@ -132,7 +132,7 @@ def _far_from_priors(estimates: Sequence[FieldEstimate]) -> list[str]:
 
 
 def _not_learned(one: FieldEstimate, fits: Sequence[ImpactFit]) -> list[str]:
-    if one.verdict == "learned":
+    if one.verdict in ("learned", "not settled"):  # the latter is said of the impact
         return []
     reasons = []
     fit = fits[0]

@@ -149,12 +149,16 @@ def _overloads(flight: FlightResult) -> list[Event]:
     known = flight.scenario.vehicle.load_limits()
     assert isinstance(known, LoadLimits)
     loads: list[tuple[str, Array, float, str]] = []
+    arms = flight.scenario.vehicle.arms
     for j, arm in enumerate(flight.scenario.vehicle.airframe().arms, start=1):
         loads.append((f"guard {j}", c[f"fn{j}"], known.guards[j - 1], "N"))
         if known.arms[j - 1] < UNLIMITED:
             of = known.joints[j - 1]
             forces = np.array([arm_force(arm, *moves, of) for moves in _arm_moves(c, j)])
-            loads.append((f"arm {j}", forces, known.arms[j - 1], "N"))
+            torque = limits.hinge_torque is not None and len(arms.hinges) == 1
+            lever = arms.radius(j - 1) if torque else 1.0
+            name, unit = (f"hinge of arm {j}", "N m") if torque else (f"arm {j}", "N")
+            loads.append((name, forces * lever, known.arms[j - 1] * lever, unit))
     for one in limits.components:
         if not (flight.is_second and any(one.position)):
             felt = np.linalg.norm(specific_force_at(flight, one.position), axis=1)

@@ -46,6 +46,8 @@ _PRINCIPAL = (
     "recovered_runs",
 )  # fmt: skip
 
+#: Accelerations below this are rounding [m/s²].
+ROUNDING = 1e-6
 #: Measures to be told of where they are not 0.
 _DAMAGE = (
     "propellers_hit", "rotors_stopped", "guard_margin", "arm_margin", "component_margin",
@@ -226,7 +228,10 @@ class FlightResult(FlightMeasures):
         """When the largest acceleration was, if not in the first impact."""
         when = self.measures.get("peak_acceleration_time")
         left = self.measures.get("separation_time")
-        if when is None or left is None or when <= left:
+        peak, first = (self.measures.get(f"{of}peak_acceleration") for of in ("", "impact_"))
+        if when is None or left is None or when <= left or peak is None or peak < ROUNDING:
+            return ""
+        if first is not None and peak <= first:  # while its arms settle
             return ""
         return f", at {when:.4g} s: after the first impact, which ended at {left:.4g} s"
 

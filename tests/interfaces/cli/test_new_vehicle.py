@@ -194,7 +194,7 @@ def test_the_template_is_written_without_questions() -> None:
         (["--guard", "40 mm"], "--guard: must be at least the radius of the propeller, 63.5 mm"),
         (["--spring", "25 mm"], "--spring: must be a way and a speed, such as 25 mm at 2 m/s"),
         (["--spring", "25 mm at 2 m"], "--spring: has the wrong unit (got '2 m'); expected m/s"),
-        (["--span", "100 mm"], "--span: must be at least 280 mm, so that 4 guards have room"),
+        (["--span", "100 mm"], "--span: must be at least 280 mm, so that 4 guards of 147 mm"),
         (["--mass", "20 kg"], "--propeller: must be larger for this mass: 5 in gives 15 N"),
         (["--template", "--mass", "1 kg"], "--template and --mass: give only one"),
     ],

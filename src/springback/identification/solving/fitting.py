@@ -39,6 +39,7 @@ class ImpactFit(NamedTuple):
     starts: int
     seconds: float
     bounds: tuple[str, ...] = ()  # what stops the optimum at the edge of what can be flown
+    settled: bool = True  # False: a better optimum lies along the profiles
 
     @property
     def name(self) -> str:
@@ -111,7 +112,8 @@ def fit_impact(
         )
     seconds = time.perf_counter() - begun
     return ImpactFit(
-        problem, point, cost, slopes, covariance, found, agreeing, starts, seconds, bounds
+        problem, point, cost, slopes, covariance, found, agreeing, starts, seconds, bounds,
+        not unsettled,
     )  # fmt: skip
 
 

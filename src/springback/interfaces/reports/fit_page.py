@@ -133,6 +133,8 @@ def _free(result: FitResult) -> list[FieldEstimate]:
 def _answer(result: FitResult) -> str:
     """The answer in one sentence."""
     free = _free(result)
+    if not all(one.settled for one in free):
+        return WORDS.say("unsettled")
     learned = [one for one in free if one.verdict == "learned"]
     part = [one for one in free if one.verdict not in ("learned", "not learned")]
     if not learned and not part:

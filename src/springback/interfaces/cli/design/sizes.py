@@ -164,7 +164,8 @@ def sizes_of(known: dict[str, VehicleAnswer]) -> VehicleSizes:
         what = "guards" if known["guard"].value else "propellers"
         raise InputError(
             f"--span: must be at least {1e3 * least_span(known):.4g} mm, so that {count} {what} "
-            f"have room, one arm pressed in (got {known['span'].text})"
+            f"of {2e3 * circle:.4g} mm diameter have room, one arm pressed in by {1e3 * stop:.4g} "
+            f"mm (got {known['span'].text})"
         )
     thrust = _rounded(LIFT * mass * GRAVITY / count)
     most = THRUST_COEFFICIENT * AIR * (TIP_SPEED / math.pi) ** 2 * propeller**2
