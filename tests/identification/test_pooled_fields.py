@@ -27,7 +27,7 @@ def impact(rows: Any, seen: Any) -> Any:
     unknowns = [*FIELDS, Unknown("bias", "latent", 0.0, 1.0, False, "", "")]
     return SimpleNamespace(
         problem=SimpleNamespace(fields=FIELDS, unknowns=unknowns, place={**NAMES, "bias": 3}),
-        point=covariance @ jacobian.T @ np.array(seen), covariance=covariance, profiles={},
+        point=covariance @ jacobian.T @ np.array(seen), covariance=covariance, profiles={}, settled=True,
         deviation=lambda name: float(covariance[NAMES[name], NAMES[name]] ** 0.5),
     )  # fmt: skip
 

@@ -29,7 +29,7 @@ def impact(seen: float) -> Any:
     problem = SimpleNamespace(fields=[FREE, MASS], unknowns=[FREE, MASS], place=names)
     deviations = dict(zip(names, np.sqrt(np.diag(covariance)), strict=True))
     return SimpleNamespace(
-        problem=problem, point=point, covariance=covariance, profiles={},
+        problem=problem, point=point, covariance=covariance, profiles={}, settled=True,
         deviation=lambda name: float(deviations[name]),
     )  # fmt: skip
 
@@ -106,7 +106,7 @@ def test_the_force_at_a_depth_is_told_where_stiffness_and_exponent_are_not_apart
     fields = [stiffness, exponent]
     fit: Any = SimpleNamespace(
         problem=SimpleNamespace(fields=fields, unknowns=fields, place=names),
-        point=np.array([0.5, -0.4]), covariance=covariance, profiles={},
+        point=np.array([0.5, -0.4]), covariance=covariance, profiles={}, settled=True,
     )  # fmt: skip
     for fits in ([fit], [fit, fit, fit]):
         [found] = depth_forces(fits, scatter=False)
