@@ -450,6 +450,30 @@ def advance(
     return flying
 
 
+@kernel
+def cruise_to_tick(shape: TreeLayout, b: Buffer, w: int, log: TrajectoryLog, early: float) -> int:
+    """Let the flights of a group cruise towards their next tick, as far as they can.
+
+    Args:
+        shape: Layout of the buffer.
+        b: Buffer of the group.
+        w: Number of lanes.
+        log: Trajectory of a single flight.
+        early: As for `advance`.
+
+    Returns:
+        Number of flights that have not reached it.
+    """
+    now = classify(shape, b, w, early)
+    while now.cruising + now.looking > 0 and has_space(log):
+        if now.looking > 0:
+            check_clearance(shape, b, w)
+        else:
+            cruise(shape, b, w, log)
+        now = classify(shape, b, w, early)
+    return now.steering + now.cruising + now.looking
+
+
 @executor(nogil=True)
 def to_tick(
     shape: TreeLayout,
@@ -464,17 +488,9 @@ def to_tick(
     Between two ticks nearly all flights take one step as one rigid body, for which it is not worth
     changing lanes.
     """
-    w, busy = len(lanes), 0
+    busy = 0
     for group in range(buffers.shape[0]):
-        b = buffers[group]
-        now = classify(shape, b, w, early)
-        while now.cruising + now.looking > 0 and has_space(log):
-            if now.looking > 0:
-                check_clearance(shape, b, w)
-            else:
-                cruise(shape, b, w, log)
-            now = classify(shape, b, w, early)
-        busy += now.steering + now.cruising + now.looking
+        busy += cruise_to_tick(shape, buffers[group], len(lanes), log, early)
     if busy > 0:
         busy = advance(shape, buffers, lanes, log, budget, early)
     return busy

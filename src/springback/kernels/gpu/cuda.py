@@ -109,9 +109,18 @@ class Memory:
 
     def read_into(self, array: np.ndarray[Any, Any]) -> None:
         """Copy into an array of the same size, which must be contiguous."""
+        self._read(array, 0)
+
+    def row(self, number: int) -> np.ndarray[Any, Any]:
+        """Copy of one row."""
+        array = np.empty(self.shape[1:], self.dtype)
+        self._read(array, number * array.nbytes)
+        return array
+
+    def _read(self, array: np.ndarray[Any, Any], offset: int) -> None:
         _enter()
         if array.nbytes:
-            _call("cuMemcpyDtoH", array.ctypes.data, self.pointer, array.nbytes)
+            _call("cuMemcpyDtoH", array.ctypes.data, int(self.pointer) + offset, array.nbytes)
 
 
 def _free(pointer: int) -> None:
@@ -150,11 +159,19 @@ class LoadedKernel:
         which = getattr(_driver().CUfunction_attribute, f"CU_FUNC_ATTRIBUTE_{name}")
         return int(_call("cuFuncGetAttribute", which, self._function))
 
-    def launch(self, threads: int, *arguments: Memory | int | float, block: int = BLOCK) -> None:
-        """Run the kernel in at least this many threads, and wait until it ends."""
+    def launch(self, flights: Memory, *arguments: Memory | int | float, block: int = BLOCK) -> None:
+        """Run the kernel, and wait until it ends.
+
+        Args:
+            flights: Numbers of the flights, one for each thread.
+            arguments: Of the entry point.
+            block: Threads in a block.
+        """
         _enter()
-        values = tuple(a.pointer if isinstance(a, Memory) else a for a in arguments)
-        kinds = tuple(map(self._kind, arguments))
+        (threads,) = flights.shape
+        given = flights, threads, *arguments
+        values = tuple(a.pointer if isinstance(a, Memory) else a for a in given)
+        kinds = tuple(map(self._kind, given))
         grid = -(-threads // block)
         _call("cuLaunchKernel", self._function, grid, 1, 1, block, 1, 1, 0, 0, (values, kinds), 0)
         _call("cuCtxSynchronize")

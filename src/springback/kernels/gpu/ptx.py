@@ -126,7 +126,7 @@ def program(
 
     Args:
         entry: Called in every thread with the arguments of the launch and, last, the number of the
-            thread.
+            thread's flight.
         parameters: Types of all arguments but the last, see `parameter`.
         parts: Returns replacements for globals of the entry, see `device_function`.
         sources: Origin of a user's code among the types; None disables caching.
@@ -185,9 +185,10 @@ def _bitcode(
 def kernel_of(program: Program, parameters: Sequence[Any]) -> Kernel:
     """PTX of a program, given which values vary from flight to flight.
 
-    A launch takes, in the order of all parameters: for `Constants` the leaves that do not vary,
-    the memory of those that do, shape (varying leaves, flights), and the number of flights; for
-    arrays their memory; for numbers themselves; for a `TreeLayout` nothing.
+    A launch takes the memory of the numbers of the flights, one for each thread, and the number of
+    threads. Then, in the order of all parameters: for `Constants` the leaves that do not vary, the
+    memory of those that do, shape (varying leaves, flights), and the number of flights; for arrays
+    their memory; for numbers themselves; for a `TreeLayout` nothing.
 
     Args:
         program: From `program`.
@@ -256,11 +257,12 @@ def _arguments_of(context: Any, p: Any) -> list[Any]:
 
 
 def _entry_text(program: Program, parameters: Sequence[Any]) -> str:
-    """Text of a kernel that calls a lowered entry point once in every thread."""
+    """Text of a kernel that calls a lowered entry point once in every thread that has a flight."""
     context = target_context(program.precision)
     module = context.codegen()._create_empty_module("entry")
     passed = [_arguments_of(context, p) for p in flat(parameters)]
-    kind = ir.FunctionType(ir.VoidType(), list(itertools.chain.from_iterable(passed)))
+    long = ir.IntType(64)
+    kind = ir.FunctionType(ir.VoidType(), [long.as_pointer(), long, *itertools.chain(*passed)])
     kernel = ir.Function(module, kind, program.name)
     kernel.calling_convention = "ptx_kernel"
     builder = ir.IRBuilder(kernel.append_basic_block())
@@ -271,8 +273,11 @@ def _entry_text(program: Program, parameters: Sequence[Any]) -> str:
         )
         for place in _PLACES
     )
-    number = builder.zext(builder.add(builder.mul(block, size), thread), ir.IntType(64))
-    given, values = list(kernel.args), []
+    place = builder.zext(builder.add(builder.mul(block, size), thread), long)
+    flights, threads, *given = kernel.args
+    with builder.if_then(builder.icmp_signed(">=", place, threads)):
+        builder.ret_void()
+    number, values = builder.load(builder.gep(flights, [place])), []
     for p, taken in zip(flat(parameters), passed, strict=True):
         mine, given = given[: len(taken)], given[len(taken) :]
         if isinstance(p, TreeLayoutType):
@@ -289,15 +294,13 @@ def _entry_text(program: Program, parameters: Sequence[Any]) -> str:
     return str(module)
 
 
-def _constants(builder: Any, p: Constants, given: Sequence[Any], thread: Any) -> list[Any]:
+def _constants(builder: Any, p: Constants, given: Sequence[Any], flight: Any) -> list[Any]:
     """All leaves of the settings, in order: arguments, or read for the flight of a thread."""
     *fixed, pointer, count = given
-    inside = builder.icmp_signed("<", thread, count)
-    lane = builder.select(inside, thread, builder.sub(count, ir.Constant(ir.IntType(64), 1)))
     values, row = [], 0
     for varies in p.varies:
         if varies:
-            place = builder.add(builder.mul(ir.Constant(ir.IntType(64), row), count), lane)
+            place = builder.add(builder.mul(ir.Constant(ir.IntType(64), row), count), flight)
             values.append(builder.load(builder.gep(pointer, [place])))
             row += 1
         else:

@@ -27,17 +27,24 @@ from springback.kernels.gpu.ptx import (
     program,
 )
 from springback.kernels.layout import Buffer, TreeLayout, rows, structure
-from springback.simulation.executor import advance, to_tick
+from springback.simulation.executor import advance
 from springback.simulation.flight import SLICE, fly_buffers, own_types, shape_of, sources
 from springback.simulation.gpu.thread import (
+    CLOCK,
+    STEPS,
+    TICK,
     GuidedConstants,
+    SharedClocks,
     SharedFlights,
     SharedGuidedFlights,
     SharedNoise,
-    ThreadLayouts,
+    StepLayouts,
+    TickLayouts,
+    TickSettings,
     TickSpan,
     fly_impact,
     fly_ticks,
+    fly_to_tick,
 )
 from springback.simulation.guided import GuidedFlight, ticks_of
 from springback.simulation.lanes import Shape, buffer_rows, places
@@ -53,8 +60,9 @@ from springback.simulation.ticks import (
     sense_and_decide,
 )
 
-#: Ticks between two checks for an interrupt and updates of the progress bar.
-TICKS = 250
+#: Most ticks of a launch, between which interrupts are seen and progress is told; and fewer while
+#: some flights take full steps, for which the others do not wait (chosen on an H200).
+TICKS, FEW_TICKS = 100, 10
 
 Progress = Callable[[float], None]
 
@@ -114,7 +122,7 @@ class _KernelKind:
         return self._loaded[masks]
 
 
-_FLOATS, _WORDS = np.zeros(1), np.zeros(1, dtype=np.uint64)
+_FLOATS, _WORDS, _NUMBERS = (np.zeros(1, dtype=kind) for kind in ("f8", "u8", "i8"))
 
 
 @functools.cache
@@ -139,29 +147,58 @@ def _impacts(shape: Shape, precision: Precision) -> _KernelKind:
     return _kinds()[key]
 
 
-def _guided(shape: Shape, avionics: Avionics, channels: int) -> _KernelKind:
+def tick_settings(shape: Shape) -> TickSettings:
+    """What a tick sets in the model of a flight."""
+    model = shape.model
+    return TickSettings(model.thrust, model.reaction, model.air, model.timing.until)
+
+
+def _step_layouts(shape: Shape) -> StepLayouts:
+    layouts = map(TreeLayout, (shape, tick_settings(shape), (0.0,) * buffer_rows(shape, 1)))
+    return StepLayouts(*layouts)
+
+
+_NO_FLIGHTS, _NO_CLOCKS = SharedFlights(_FLOATS, 1), SharedClocks(_NUMBERS, 1)
+
+
+def _steps(shape: Shape) -> _KernelKind:
+    """Kernels for the full steps of guided flights."""
+    key = fly_to_tick, structure(shape)
+    if key not in _kinds():
+        layouts = _step_layouts(shape)
+
+        def parameters(model: Mask) -> list[Any]:
+            constants = Constants(layouts.shape.model, model)
+            return [layouts, constants, _NO_FLIGHTS, _NO_CLOCKS, 1]
+
+        def parts() -> dict[str, Any]:
+            return {"advance": device_function(advance)}
+
+        _kinds()[key] = _KernelKind(fly_to_tick, parameters, parts, _files(shape.model))
+    return _kinds()[key]
+
+
+def _ticks(shape: Shape, avionics: Avionics, channels: int) -> _KernelKind:
+    """Kernels for the ticks of guided flights."""
     key = fly_ticks, structure(shape), structure(avionics), channels
     if key not in _kinds():
         guided = layouts_of(shape, avionics, channels)
-        sizes = buffer_rows(shape, 1), channels + GUST_NOISE
-        layouts = ThreadLayouts(guided, *(TreeLayout((0.0,) * size) for size in sizes))
+        noise = TreeLayout((0.0,) * (channels + GUST_NOISE))
+        layouts = TickLayouts(guided, _step_layouts(shape), noise)
 
         def parameters(model: Mask, systems: Mask) -> list[Any]:
             varying = guided.shape.model, model, guided.avionics.systems, systems
             return [
                 layouts,
                 GuidedConstants(Constants(*varying[:2]), Constants(*varying[2:])),
-                SharedGuidedFlights(SharedFlights(_FLOATS, 1), _FLOATS),
-                SharedNoise(_WORDS, _WORDS, np.zeros(1, dtype=np.int64), 1),
-                TickSpan(1, 1, 1, 1.0),
+                SharedGuidedFlights(_NO_FLIGHTS, _NO_CLOCKS, _FLOATS),
+                SharedNoise(_WORDS, _WORDS, _NUMBERS, 1),
+                TickSpan(1, 1.0),
             ]
 
         def parts() -> dict[str, Any]:
-            between = device_function(to_tick, advance=device_function(advance))
             entries = sense_and_decide, drive_rotors, generate
-            return {
-                **{each.__name__: device_function(each) for each in entries}, "to_tick": between,
-            }  # fmt: skip
+            return {each.__name__: device_function(each) for each in entries}
 
         _kinds()[key] = _KernelKind(fly_ticks, parameters, parts, _files(shape.model, avionics))
     return _kinds()[key]
@@ -223,13 +260,13 @@ def fly_buffers_on_gpu(
     masks = kind.masks(model)
     kernel, constants = kind.kernel(*masks), _constants(model, *masks)
     there, count = Memory(flights), flights.shape[1]
-    flying = count
-    while flying:
-        kernel.launch(count, *constants, there, count, SLICE)
-        there.read_into(flights)
-        flying = int((flights[moving + status] == FLYING).sum())
+    flying = np.arange(count)
+    while len(flying):
+        kernel.launch(Memory(flying), *constants, there, count, SLICE)
+        flying = np.flatnonzero(there.row(moving + status) == FLYING)
         if progress is not None:
-            progress(1.0 - flying / count)
+            progress(1.0 - len(flying) / count)
+    there.read_into(flights)
     _put_back(flights[:moving], lanes, at.motion)
     _put_back(flights[moving:], lanes, at.record)
 
@@ -260,24 +297,33 @@ def fly_groups_on_gpu(
     channels = sum(draw.channels for draw in noise.draws) - GUST_NOISE
     lanes, inside = (b.reshape(len(b), -1, width) for b in (buffers.motion, buffers.onboard))
     after, end = rows(avionics.systems), rows(avionics)
-    kind = _guided(shape, avionics, channels)
     models, systems = _columns(lanes, 0, at.motion), _columns(inside, 0, after)
-    masks = kind.masks(models, systems)
-    kernel = kind.kernel(*masks)
     moved = np.vstack((_columns(lanes, at.motion, at.total), _columns(lanes, at.record, at.end)))
-    changed, count = _columns(inside, after, end), moved.shape[1]
-    there, memories, source = Memory(moved), Memory(changed), noise.source(count)
-    arguments = [
-        *_constants(models, masks[0]), *_constants(systems, masks[1]), there, count, memories,
+    kept, count = len(moved), moved.shape[1]
+    moved = np.vstack((moved, np.zeros((rows(tick_settings(shape)), count))))
+    changed, clock = _columns(inside, after, end), np.zeros((CLOCK, count), dtype=np.int64)
+    between, at_ticks = _steps(shape), _ticks(shape, avionics, channels)
+    of_model, of_both = between.masks(models), at_ticks.masks(models, systems)
+    step, tick = between.kernel(*of_model), at_ticks.kernel(*of_both)
+    there, memories, clocks = map(Memory, (moved, changed, clock))
+    source = noise.source(count)
+    shared = there, count, clocks, ticks - 1
+    for_steps = *_constants(models, *of_model), *shared, SLICE
+    for_ticks = [
+        *_constants(models, of_both[0]), *_constants(systems, of_both[1]), *shared, memories,
         *map(Memory, source), len(source.plan),
     ]  # fmt: skip
-    for first in range(0, ticks, TICKS):
-        last = min(first + TICKS, ticks)
-        kernel.launch(count, *arguments, first, last, ticks - 1, duration)
+    flying, behind = np.arange(count), np.arange(0)
+    while len(flying):
+        if len(behind):
+            step.launch(Memory(behind), *for_steps)
+        tick.launch(Memory(flying), *for_ticks, FEW_TICKS if len(behind) else TICKS, duration)
+        clocks.read_into(clock)
+        flying, behind = np.flatnonzero(clock[TICK] < ticks), np.flatnonzero(clock[STEPS])
         if progress is not None:
-            progress(last / ticks)
+            progress(float(clock[TICK].mean()) / ticks)
     there.read_into(moved)
     memories.read_into(changed)
     _put_back(moved[: rows(shape.motion)], lanes, at.motion)
-    _put_back(moved[rows(shape.motion) :], lanes, at.record)
+    _put_back(moved[rows(shape.motion) : kept], lanes, at.record)
     _put_back(changed, inside, after)
