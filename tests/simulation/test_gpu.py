@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from builders.guided_flights import AT_WALL, WALL, Lane, lane, same, tables
+from builders.guided_flights import AT_WALL, GUSTY, WALL, Lane, lane, same, tables
 from builders.impacts import towards_wall
 from springback.errors import InputError
 from springback.kernels.compiler import with_globals
@@ -32,7 +32,13 @@ from springback.kernels.layout import TreeLayout, rows
 from springback.kernels.trees import leaves, rebuilt
 from springback.results.flight import as_scenario
 from springback.simulation.executor import advance
-from springback.simulation.flight import flight_buffers, flight_records, fly_many, shape_of
+from springback.simulation.flight import (
+    Executor,
+    flight_buffers,
+    flight_records,
+    fly_many,
+    shape_of,
+)
 from springback.simulation.gpu import flying
 from springback.simulation.gpu import thread as threads
 from springback.simulation.gpu.flying import fly_buffers_on_gpu, fly_groups_on_gpu
@@ -143,13 +149,27 @@ def test_threads_fly_impacts_as_the_processor_does(monkeypatch: pytest.MonkeyPat
     assert shares == sorted(shares)
 
 
+STOP = {"guard_force": 5.0, "restart_after": 0.004, "rotor_inertia": 2e-5,
+        "thrust_coefficient": 8e-6}  # fmt: skip
+#: What a tick sets in the model: thrusts alone; winds and reactions of rotors that stop, too.
+SET_AT_TICKS = {
+    "thrusts": {"vehicle": "arq"},
+    "winds and reactions": {
+        "air": GUSTY, "vehicle": {"preset": "arq", "propulsion": {"stop": STOP}},
+    },
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", SET_AT_TICKS)
 @pytest.mark.usefixtures("interpreted")
-def test_threads_fly_with_a_pilot_as_the_processor_does(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_threads_fly_with_a_pilot_as_the_processor_does(
+    name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     """Motion, record and on-board systems, from launch to launch, with each flight's own noise."""
     monkeypatch.setattr(flying, "TICKS", 17)
     monkeypatch.setattr(flying, "FEW_TICKS", 3)
     monkeypatch.setattr(flying, "SLICE", 5)
-    given = {"estimator": "complementary", "world": WALL}
+    given = {"estimator": "complementary", "world": WALL, **SET_AT_TICKS[name]}
     flights: list[Lane] = [
         lane(tables(0.03, start={**AT_WALL, "velocity": (speed, 0.1, 0.0)}, **given), flight)
         for flight, speed in enumerate((2.0, 1.0, 3.0))
@@ -168,7 +188,9 @@ def test_threads_fly_with_a_pilot_as_the_processor_does(monkeypatch: pytest.Monk
     memories = onboard.reshape(len(buffers), -1, WIDTH)
     after, touched = rows(first.avionics.systems), set()
     for k, (one, alone) in enumerate(zip(flown, ready, strict=True)):
-        there = fly_guided(*alone, trace=False)
+        # Compiled or not, the bits are the same; the second kind is not worth a compilation.
+        executor: Executor = "compiled" if name == "thrusts" else "python"
+        there = fly_guided(*alone, trace=False, executor=executor)
         inside = rebuilt(first.avionics.onboard, memories[k // WIDTH, after:, k % WIDTH])
         assert same(there._replace(flown=one, onboard=inside), there)
         touched.add(there.flown.record.contacts.total > 0.0)
