@@ -89,6 +89,10 @@ def local(shape: ShapeSettings, point: Array) -> Array:
     return np.asarray(np.array(HERE) + point @ body.axes)
 
 
+#: Corners of a triangle.
+SIMPLEX = np.array([[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]])
+
+
 # -- height maps ------------------------------------------------------------------------------------
 
 
@@ -189,24 +193,71 @@ def test_below_the_ground_the_way_out_is_through_its_surface_sides_or_bottom() -
             assert np.allclose(normal, other, atol=1e-6)
 
 
-def test_rough_ground_is_never_farther_than_it_is() -> None:
-    """Random heights, hollows of a millimetre: where the nearest point is not sure, less is said."""
-    chance = np.random.default_rng(4)
-    file = height_file(0.05 * chance.standard_normal((21, 21)), folder() / "rough.npy")
-    shape = HeightMap(type="heightmap", file=file, spacing=0.05, position=(0, 0, 0), surface=WALL)
+def stairs_and_stones(kind: str) -> HeightMap:
+    """Ground with hollows and ridges of millimetres: random heights, or steps of half a metre."""
+    if kind == "stones":
+        heights = 0.05 * np.random.default_rng(4).standard_normal((21, 21))
+    else:
+        heights = 0.5 * np.floor(0.25 * np.arange(21.0))[:, None] + np.zeros(21)
+    file = height_file(heights, folder() / f"{kind}.npy")
+    return HeightMap(type="heightmap", file=file, spacing=0.05, position=(0, 0, 0), surface=WALL)
+
+
+@pytest.mark.parametrize("kind", ["stones", "stairs"])
+def test_ground_with_sharp_hollows_and_ridges_is_as_far_as_the_nearest_of_its_points(
+    kind: str,
+) -> None:
+    """To 1e-6 m above it and below, within half a metre; farther away never more."""
+    shape, chance = stairs_and_stones(kind), np.random.default_rng(4)
     assert shape.form().reach < 0.02
-    along = np.linspace(-0.5, 0.5, 401)
-    z = spline_values(shape.form().spline, np.meshgrid(*[20.0 * (along + 0.5)] * 2, indexing="ij"))
+    along = np.linspace(-0.5, 0.5, 801)
+
+    def ground(x: Any, y: Any) -> Any:
+        at = [20.0 * (np.atleast_1d(u) + 0.5) for u in (x, y)]
+        return np.squeeze(spline_values(shape.form().spline, at))
+
+    z = ground(*np.meshgrid(along, along, indexing="ij"))
     dense = np.stack([*np.meshgrid(along, along, indexing="ij"), z], axis=-1).reshape(-1, 3)
-    tree, seen = scipy.spatial.cKDTree(dense), 0
-    for _ in range(600):
+    tree, seen = scipy.spatial.cKDTree(dense), [0, 0, 0]
+    for _ in range(150):
         q = chance.uniform(-0.5, 0.5, size=3)
-        q[2] = chance.uniform(-0.05, 0.25)
-        gap, _ = face(shape, q)
-        if gap > 0.0:
-            seen += 1
-            assert gap <= tree.query(q)[0] + 1e-9
-    assert seen > 200
+        q[2] = float(ground(*q[:2])) + chance.uniform(-0.06, 1.4)
+
+        def square(at: Array, q: Array = q) -> float:
+            x, y = np.clip(at, -0.5, 0.5)
+            return float((x - q[0]) ** 2 + (y - q[1]) ** 2 + (ground(x, y) - q[2]) ** 2)
+
+        best = tree.query(q)[0] ** 2
+        for place in dense[tree.query(q, 40)[1][::8], :2]:
+            found = scipy.optimize.minimize(
+                square, place, method="Nelder-Mead",
+                options={"xatol": 1e-9, "fatol": 1e-16, "initial_simplex": place + 1e-3 * SIMPLEX},
+            )  # fmt: skip
+            best = min(best, found.fun)
+        true, (gap, normal) = math.sqrt(best), face(shape, q)
+        above = q[2] > float(ground(*q[:2]))
+        if above and true > 0.5:
+            seen[0] += 1
+            assert 0.5 - 1e-9 <= gap <= true + 1e-9
+        else:
+            seen[1 if above else 2] += 1
+            assert gap == pytest.approx(true if above else -true, abs=1e-6)
+            assert np.linalg.norm(normal) == pytest.approx(1.0, abs=1e-9)
+    assert min(seen) > 3
+
+
+def test_a_ball_rests_on_level_ground_as_high_as_it_is_thick_however_steep_a_step_is_elsewhere() -> (
+    None
+):
+    """The distance is not scaled by the steepest slope anywhere."""
+    heights = np.zeros((21, 21))
+    heights[16:] = 1.0
+    file = height_file(heights, folder() / "step.npy")
+    shape = HeightMap(type="heightmap", file=file, spacing=0.05, position=(0, 0, 0), surface=WALL)
+    assert shape.form().share < 0.05
+    gap, normal = face(shape, np.array([-0.4, 0.0, 0.1]))
+    assert gap == pytest.approx(0.1, abs=1e-3)  # the spline's waves beside the step
+    assert normal[2] == pytest.approx(1.0, abs=1e-2)
 
 
 # -- grids ------------------------------------------------------------------------------------------

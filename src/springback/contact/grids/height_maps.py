@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -13,7 +14,7 @@ from springback.contact.grids.data_files import npy_array, suffix_of
 from springback.contact.grids.distance_grids import coefficients
 from springback.contact.grids.images import grey_image
 from springback.contact.grids.occupancy import new_file
-from springback.contact.scene.height_face import COEFFICIENTS
+from springback.contact.scene.height_face import COEFFICIENTS, FARTHEST, PER_CELL, RIDGES
 from springback.kernels.routines import NumberTable
 from springback.settings import problem
 
@@ -21,9 +22,9 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 #: Most points of a height map, and fewest along an axis (chosen: 32 MB).
 MOST_POINTS, FEWEST = 4_000_000, 4
-#: Share of the smallest radius of hollows within which the nearest point is looked for, and the
-#: farthest that it is [m] (chosen).
-SURELY, FARTHEST = 0.9, 0.5
+#: Share of the smallest radius of hollows, or ridges, within which the nearest point is taken for
+#: unique (chosen).
+SURELY = 0.9
 
 
 class HeightForm(NamedTuple):
@@ -95,13 +96,29 @@ def height_form(heights: Array, apart: Array, depth: float) -> HeightForm:
     middle, nodes = 0.5 * (low + high), np.array(heights.shape) - 1
     x, y = (0.5 * apart * nodes).tolist()
     head = np.zeros(COEFFICIENTS)
-    head[:2], head[2:4] = heights.shape, 1.0 / apart
-    table = NumberTable(np.concatenate([head, (spline - middle).ravel()]))
-    slope, bend = _steepest(spline, apart), _most_hollow(spline, apart)
-    reach = min(SURELY / bend, FARTHEST) if bend > 0.0 else FARTHEST
-    return HeightForm(
-        (x, y, 0.5 * (high - low)), middle, table, 1.0 / math.hypot(1.0, slope), reach, spline
-    )
+    head[:PER_CELL], head[PER_CELL:RIDGES] = heights.shape, 1.0 / apart
+    head[RIDGES] = _unique(-spline, apart)
+    centred = spline - middle
+    table = NumberTable(np.concatenate([head, centred.ravel(), _cell_bounds(centred).ravel()]))
+    share, reach = 1.0 / math.hypot(1.0, _steepest(spline, apart)), _unique(spline, apart)
+    return HeightForm((x, y, 0.5 * (high - low)), middle, table, share, reach, spline)
+
+
+def _unique(spline: Array, apart: Array) -> float:
+    """Distance above a surface within which the nearest point is unique [m]."""
+    bend = _most_hollow(spline, apart)
+    return min(SURELY / bend, FARTHEST) if bend > 0.0 else FARTHEST
+
+
+def _cell_bounds(spline: Array) -> Array:
+    """Highest and lowest coefficient of each cell, shape (cells along x, along y, 2).
+
+    A spline lies between them.
+    """
+    cells = tuple(n - 3 for n in spline.shape)
+    parts = [spline[i : i + cells[0], j : j + cells[1]] for i in range(4) for j in range(4)]
+    highest, lowest = functools.reduce(np.maximum, parts), functools.reduce(np.minimum, parts)
+    return np.stack([highest, lowest], axis=-1)
 
 
 def _around(values: Array) -> Array:
