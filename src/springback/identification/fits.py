@@ -16,6 +16,7 @@ from springback.identification.observations.likelihood import ImpactProblem
 from springback.identification.observations.windows import ImpactWindow, impact_window
 from springback.identification.settings import FitPlan, LoggedFlight, refuse_second_vehicle
 from springback.identification.solving.fitting import ImpactFit, fit_impact
+from springback.identification.solving.search_progress import Tell, ignore_words
 from springback.identification.unknowns import Unknown, field_unknown
 from springback.identification.wording import force_sentences, sentences
 from springback.logs.axes_options import refuse_unused_axes
@@ -213,18 +214,26 @@ def _has(scenario: Scenario, name: str) -> bool:
     return isinstance(node, float) and node > 0.0
 
 
-def fit(plan: FitPlan, folder: str | Path = ".", *, progress: Progress = silent) -> FitResult:
+def fit(
+    plan: FitPlan,
+    folder: str | Path = ".",
+    *,
+    progress: Progress = silent,
+    tell: Tell = ignore_words,
+) -> FitResult:
     """Fit a plan.
 
     Args:
         plan: From `springback.identification.settings.read_fit_plan`.
         folder: That its paths are relative to.
         progress: Called from time to time with the share done.
+        tell: Called from time to time with what is being done, in words.
 
     Raises:
         InputError: If a log or the scenario cannot be used.
     """
     folder = Path(folder)
+    tell("reading the logs")
     scenario, _ = base_scenario(plan, folder)
     fields = fields_of_plan(plan, scenario)
     flights = read_flights(plan, folder)
@@ -238,10 +247,18 @@ def fit(plan: FitPlan, folder: str | Path = ".", *, progress: Progress = silent)
     fits = []
     for k, problem in enumerate(problems):
         part = stage(progress, k / len(problems), 1.0 / len(problems))
-        fits.append(fit_impact(problem, starts=plan.starts, seed=plan.seed))
+        fits.append(fit_impact(
+            problem, starts=plan.starts, seed=plan.seed, progress=part,
+            tell=_numbered(tell, k + 1, len(problems)),
+        ))  # fmt: skip
         part(1.0)
     refused = [reason for flight in flights for reason in flight.refused]
     return result_of(plan, fits, refused, [text for flight in flights for text in flight.warnings])
+
+
+def _numbered(tell: Tell, number: int, count: int) -> Tell:
+    """Tells of an impact of several."""
+    return (lambda doing: tell(f"{number} of {count}, {doing}")) if count > 1 else tell
 
 
 def check_chain(problem: ImpactProblem) -> None:
