@@ -33,8 +33,10 @@ class Walled:
             Unknown("b", "free", 0.0, 1.0, False, "kg", "+- 1 kg"),
         ]
         self.place = {"a": 0, "b": 1}
+        self.flown = 0
 
     def __call__(self, u: np.ndarray) -> np.ndarray:
+        self.flown += len(u)
         rest = np.concatenate([(u @ self.basis - self.data) / 0.01, u], axis=1)
         rest[u[:, 0] > self.bound] = np.nan
         return rest

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,9 +15,17 @@ import pytest
 import springback
 from builders.recordings import raw_ulog, whole
 from springback.errors import InputError
+from springback.logs.formats.ros import RosCollector
 from springback.logs.overview import overview
-from springback.logs.reading import read_recording
-from springback.logs.recording import ARM_LENGTH, POSITION, SPECIFIC_FORCE, Recording
+from springback.logs.reading import LogOptions, read_recording
+from springback.logs.recording import (
+    ANGULAR_VELOCITY,
+    ARM_LENGTH,
+    POSITION,
+    SPECIFIC_FORCE,
+    Recording,
+    TimeSpan,
+)
 from springback.logs.writing.flight_recording import flight_recording
 from springback.logs.writing.writers import WRITERS, write_recording
 
@@ -87,8 +98,87 @@ def test_what_is_read_back_equals_what_was_flown_to_1e_6(
         assert made is not None
         assert one.times == pytest.approx(made.times, abs=1e-6)
         assert one.values == pytest.approx(made.values, rel=1e-6, abs=1e-6)
-        if made.clipped is not None and one.clipped is not None:
-            assert np.array_equal(one.clipped, made.clipped)
+        assert is_same(one.clipped, made.clipped)
+
+
+def is_same(flags: Any, others: Any) -> bool:
+    """True for equal flags, or none of both."""
+    if flags is None or others is None:
+        return flags is others
+    return np.array_equal(flags, others)
+
+
+CLIPS = {
+    **SCENARIO, "sensors": {
+        "imu": {
+            "rate": "1 kHz", "accelerometer": {"full_scale": "15 m/s^2"},
+            "gyroscope": {"full_scale": "0.25 rad/s"},
+        },
+        "hall": {"overrun": 0.0},
+    },
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def clipped() -> Recording:
+    return flight_recording(springback.fly(CLIPS), Path("flight"))
+
+
+@pytest.mark.parametrize("word", ["ulog", "mcap", "table"])
+def test_flags_of_clipped_samples_are_read_back(
+    clipped: Recording, tmp_path: Path, word: str
+) -> None:
+    """Of a flight that leaves all ranges; then any flags, from the first sample to the last."""
+    rng, some = np.random.default_rng(5), []
+    for one in clipped.channels:
+        if one.clipped is None:
+            some.append(one)
+            continue
+        assert one.quantity in (SPECIFIC_FORCE, ANGULAR_VELOCITY, ARM_LENGTH)
+        flags = rng.random(one.values.shape) < 0.3
+        flags[0], flags[-1] = True, True
+        some.append(replace(one, clipped=flags))
+    for number, made in enumerate((clipped, replace(clipped, channels=tuple(some)))):
+        path = tmp_path / f"flight{number}{WRITERS[word][0]}"
+        assert write_recording(made, path, word) == []
+        back = read_recording(path.with_suffix(".toml") if word == "table" else path)
+        told = 0
+        for one in made.channels:
+            [again] = [two for two in back.channels if two.quantity == one.quantity]
+            assert is_same(again.clipped, one.clipped), one.name
+            told += one.clipped is not None and bool(one.clipped.any())
+        assert told == 3
+
+
+def test_flags_of_a_bag_follow_its_body_axes(clipped: Recording, tmp_path: Path) -> None:
+    """In a body of right, front, up the first axis of the file is the second."""
+    path = tmp_path / "flight.mcap"
+    write_recording(clipped, path)
+    [force] = read_recording(path, LogOptions(body="rfu")).of(SPECIFIC_FORCE)
+    made = clipped.best(SPECIFIC_FORCE)
+    assert made is not None
+    assert made.clipped is not None
+    assert np.array_equal(force.clipped, made.clipped[:, [1, 0, 2]])
+    assert not np.array_equal(force.clipped, made.clipped)
+
+
+def test_flags_of_samples_that_a_bag_has_lost_are_not_those_of_others(tmp_path: Path) -> None:
+    """By their instants, in whatever order they come."""
+    collector = RosCollector("bag", TimeSpan(), "enu", "flu")
+    kind = "sensor_msgs/msg/JointState"
+
+    def add(topic: str, time: int, names: list[str], values: list[float]) -> None:
+        header = SimpleNamespace(stamp=SimpleNamespace(sec=time, nanosec=0))
+        message = SimpleNamespace(header=header, name=names, position=values, effort=[])
+        collector.add(topic, kind, message, float(time))
+
+    for time in (4, 1, 2):
+        add("/arm_lengths/clipped", time, [".0", ".1"], [float(time != 2), float(time == 4)])
+    for time in (1, 2, 3, 4):
+        add("/arm_lengths", time, ["arm1", "arm2"], [0.1, 0.1])
+    [lengths] = collector.channels()
+    assert lengths.clipped is not None
+    assert lengths.clipped.astype(int).tolist() == [[1, 0], [0, 0], [0, 0], [1, 1]]
 
 
 def test_a_flight_without_sensors_is_refused(tmp_path: Path) -> None:
@@ -116,8 +206,6 @@ def test_what_cannot_be_written_is_refused(
 
 
 def test_frames_off_an_even_grid_cannot_be_vicons(tmp_path: Path) -> None:
-    from dataclasses import replace
-
     made = whole(1.0, 200.0)
     late = [replace(one, times=one.times + 0.0021) for one in made.channels]
     with pytest.raises(InputError, match="its frames are not at multiples of 5 ms"):

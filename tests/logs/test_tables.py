@@ -76,6 +76,25 @@ def test_units_and_axes_are_those_of_the_mapping(tmp_path: Path) -> None:
     assert imu.clipped[:, 0].tolist() == [False, False, True]
 
 
+def test_samples_at_the_end_of_the_range_are_told_by_columns_or_by_the_range(
+    tmp_path: Path,
+) -> None:
+    """A converter of 16 bits ends a count below 16 gn on one side, which was no clip before."""
+    step = 16.0 / 2**15
+    table = TABLE.replace("10,16.0,0.2,-1.0", f"10,{16.0 - step:.8f},{16.0 - 4.0 * step:.8f},-16.0")
+    flags = read(tmp_path, table=table).channels[0].clipped
+    assert flags is not None
+    assert flags.tolist() == [[False] * 3, [False] * 3, [True, False, True]]
+    own = MAPPING.replace('low_pass = "218 Hz"', 'clipped = ["x", "y", "z"]', 1).replace(
+        "low_pass_order = 2\n", ""
+    ).replace('body = "frd"', 'body = "rfu"')  # fmt: skip
+    words = TABLE.replace("0,0.1,0.2,-1.0,1000,2000,500", "0,0.1,0.2,-1.0,1,0,0")
+    words = words.replace("10,16.0,0.2,-1.0,1000,2000,500", "10,16.0,0.2,-1.0,0,0,1")
+    flags = read(tmp_path, own, words).channels[0].clipped
+    assert flags is not None  # right, front, up: the first column is the second axis
+    assert flags.tolist() == [[False, True, False], [False] * 3, [False, False, True]]
+
+
 def test_blanks_are_lost_samples_where_the_mapping_says_so(tmp_path: Path) -> None:
     mapping = MAPPING.replace('unit = "mm"', 'unit = "mm"\nblank = "lost"')
     body = read(tmp_path, mapping).channels[1]
@@ -100,6 +119,9 @@ def test_a_part_is_read(tmp_path: Path) -> None:
         ('file = "log.csv"', "", "file: is missing"),
         ('full_scale = "16 gn"', 'full_scale = "16 kg"', "channels[0].full_scale: "),
         ('average = "4 ms"', 'average = "-4 ms"', "channels[0].average: must be more than 0 s"),
+        ('time = "t"', 'time = "t"\nclipped = ["ax"]', "channels[0].clipped: needs one for each of 3 columns (got 1)"),
+        ('time = "t"', 'time = "t"\nclipped = ["ax", "ay", "aw"]', "has no column 'aw'; it has t, ax"),
+        ('order = "xyzw"', 'clipped = ["qx", "qy", "qz", "qw"]', "channels[2].clipped: an attitude has no range"),
         ("[[channels]]", "[[channels", "is not TOML"),
     ],
 )  # fmt: skip

@@ -156,9 +156,12 @@ RAW = (
 def test_raw_samples_are_turned_by_the_boards_rotation(
     tmp_path: Path, rotation: int, expected: list[float]
 ) -> None:
-    """4 is a yaw of 180°, 2 one of 90°, 8 a roll of 180°, before FRD becomes FLU."""
+    """4 is a yaw of 180°, 2 one of 90°, 8 a roll of 180°, before FRD becomes FLU.
+
+    Counts of clipped samples are those of each message: PX4's drivers begin each at zero.
+    """
     counts = np.zeros((COUNT, 3))
-    counts[10:, 0] = 1
+    counts[[0, 10, 11, 12], 0] = 1, 1, 1, 8
     data = rows(
         timestamp_sample=("<u8", 1_000_000 + 5000 * np.arange(COUNT)),
         x=("<f4", np.full(COUNT, 1.0)), y=("<f4", np.full(COUNT, 2.0)),
@@ -168,7 +171,8 @@ def test_raw_samples_are_turned_by_the_boards_rotation(
     [force] = log.channels
     assert force.values[0] == pytest.approx(expected, abs=1e-6)
     assert force.clipped is not None
-    assert np.argwhere(force.clipped)[:, 0].tolist() == [10]
+    axis = 1 if rotation == 2 else 0
+    assert np.argwhere(force.clipped).tolist() == [[0, axis], [10, axis], [11, axis], [12, axis]]
 
 
 def test_an_unknown_rotation_leaves_raw_samples_out_and_says_so(tmp_path: Path) -> None:

@@ -14,9 +14,15 @@ from springback.identification.estimates import FieldEstimate, field_estimates
 from springback.identification.misfit import ChannelMisfit, filter_sentences, misfits
 from springback.identification.observations.likelihood import ImpactProblem
 from springback.identification.observations.windows import ImpactWindow, impact_window
-from springback.identification.settings import FitPlan, LoggedFlight, refuse_second_vehicle
+from springback.identification.settings import EXACT, FitPlan, LoggedFlight, refuse_second_vehicle
 from springback.identification.solving.fitting import ImpactFit, fit_impact
-from springback.identification.unknowns import Unknown, field_unknown
+from springback.identification.solving.search_progress import Tell, ignore_words
+from springback.identification.unknowns import (
+    Unknown,
+    field_unknown,
+    number_of_all,
+    refuse_twice,
+)
 from springback.identification.wording import force_sentences, sentences
 from springback.logs.axes_options import refuse_unused_axes
 from springback.logs.clock_jumps import refuse_clock_jumps
@@ -185,12 +191,20 @@ def fields_of_plan(plan: FitPlan, scenario: Scenario) -> list[Unknown]:
                 f'{table}."{name}": follows from the parts of the body; give the uncertainty of '
                 'theirs, such as "vehicle.body.parts.0.mass" = "+- 2 %"'
             )
+    given = [
+        name for name, text in (plan.free | plan.known).items()
+        if name not in LISTS and text.strip() != EXACT
+    ]  # fmt: skip
+    refuse_twice(given)
     fields = [field_unknown(name, text, "free", scenario) for name, text in plan.free.items()]
     for name, text in plan.uncertainties().items():
         if name in LISTS:
             names = [f"{name}.{k}" for k in range(LISTS[name](scenario))]
+        elif name in plan.known:
+            names = [name]
         else:
-            names = [name] if name in plan.known or _has(scenario, name) else []
+            apart = any(one.startswith(f"{name}.") for one in given)
+            names = _usually_known(scenario, name, apart=apart)
         fields += [
             field_unknown(one, text, "known", scenario) for one in names
             if one == name or not plan.is_given(one)
@@ -203,28 +217,42 @@ def _is_derived(scenario: Scenario) -> bool:
     return bool(scenario.vehicle.body.parts or scenario.vehicle.body.model)
 
 
-def _has(scenario: Scenario, name: str) -> bool:
-    """True if a field that usually is uncertain is a single number above zero."""
-    node: Any = scenario
+def _usually_known(scenario: Scenario, name: str, *, apart: bool) -> list[str]:
+    """Names of a field that usually is uncertain, if it is above zero.
+
+    Args:
+        scenario: That has it.
+        name: Of one number, or of a list that is one number of all arms unless they differ.
+        apart: True if a plan has a number of one arm.
+    """
     if name == "vehicle.body.mass" and _is_derived(scenario):
-        return False
-    for key in name.split("."):
-        node = getattr(node, key, None)
-    return isinstance(node, float) and node > 0.0
+        return []
+    value, each = number_of_all(scenario, tuple(name.split(".")))
+    if len(set(each)) > 1 or (each and apart):
+        return [f"{name}.{k}" for k, one in enumerate(each) if one > 0.0]
+    return [name] if value is not None and value > 0.0 else []
 
 
-def fit(plan: FitPlan, folder: str | Path = ".", *, progress: Progress = silent) -> FitResult:
+def fit(
+    plan: FitPlan,
+    folder: str | Path = ".",
+    *,
+    progress: Progress = silent,
+    tell: Tell = ignore_words,
+) -> FitResult:
     """Fit a plan.
 
     Args:
         plan: From `springback.identification.settings.read_fit_plan`.
         folder: That its paths are relative to.
         progress: Called from time to time with the share done.
+        tell: Called from time to time with what is being done, in words.
 
     Raises:
         InputError: If a log or the scenario cannot be used.
     """
     folder = Path(folder)
+    tell("reading the logs")
     scenario, _ = base_scenario(plan, folder)
     fields = fields_of_plan(plan, scenario)
     flights = read_flights(plan, folder)
@@ -238,10 +266,18 @@ def fit(plan: FitPlan, folder: str | Path = ".", *, progress: Progress = silent)
     fits = []
     for k, problem in enumerate(problems):
         part = stage(progress, k / len(problems), 1.0 / len(problems))
-        fits.append(fit_impact(problem, starts=plan.starts, seed=plan.seed))
+        fits.append(fit_impact(
+            problem, starts=plan.starts, seed=plan.seed, progress=part,
+            tell=_numbered(tell, k + 1, len(problems)),
+        ))  # fmt: skip
         part(1.0)
     refused = [reason for flight in flights for reason in flight.refused]
     return result_of(plan, fits, refused, [text for flight in flights for text in flight.warnings])
+
+
+def _numbered(tell: Tell, number: int, count: int) -> Tell:
+    """Tells of an impact of several."""
+    return (lambda doing: tell(f"{number} of {count}, {doing}")) if count > 1 else tell
 
 
 def check_chain(problem: ImpactProblem) -> None:

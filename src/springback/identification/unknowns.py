@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -79,14 +79,15 @@ def field_unknown(name: str, text: str, role: Role, scenario: Scenario) -> Unkno
     """Unknown field of a scenario.
 
     Args:
-        name: Dotted path of a number.
+        name: Dotted path of a number; of a list with a number for each arm it is one number of all
+            arms.
         text: Its uncertainty: ``factor 5`` (95 % within that factor), ``+- 2 %``, ``+- 5 deg`` or
             ``1.88 kg +- 0.5 %`` (one standard deviation).
         role: ``free`` or ``known``.
         scenario: That has it.
 
     Raises:
-        InputError: If there is no such number, or the text is no uncertainty of it.
+        InputError: If there is no such number, the text is no uncertainty of it, or arms differ.
     """
     path = tuple(key_path(name))
     found = number_at(name, path, scenario, ()) if path else None
@@ -101,7 +102,13 @@ def field_unknown(name: str, text: str, role: Role, scenario: Scenario) -> Unkno
         found = Parameter(name, path, "kg m^2")
     if found is None or found.whole:
         raise InputError(f"{name}: is no number that can be fitted")
-    current = _current(scenario, path)
+    current, each = number_of_all(scenario, path)
+    if current is None and each:
+        theirs = f"{', '.join(f'{one:g}' for one in each)} {found.unit}".rstrip()
+        raise InputError(
+            f"{name}: is one number of all arms, and theirs differ (got {theirs}); give "
+            f"{name}.0 to {name}.{len(each) - 1}, each with its uncertainty"
+        )
     if current is None and path[:3] in (DIRECTIONS, INERTIA):
         raise InputError(f"{name}: the vehicle has no such number")
     try:
@@ -117,15 +124,41 @@ def field_unknown(name: str, text: str, role: Role, scenario: Scenario) -> Unkno
     return Unknown(name, role, centre, deviation, logarithmic, found.unit, text, path=path)
 
 
-def _current(scenario: Scenario, path: Path) -> float | None:
-    """Number that a scenario has at a path; None if it has none."""
+def number_of_all(scenario: Scenario, path: Path) -> tuple[float | None, tuple[float, ...]]:
+    """Number that a scenario has at a path, or that all entries of a list there have.
+
+    Args:
+        scenario: The scenario.
+        path: Keys and indices.
+
+    Returns:
+        The number; None if there is none, or if entries differ.  And the entries, if it is a list.
+    """
     node: Any = scenario
     for key in path:
         try:
             node = node[key] if isinstance(key, int) else getattr(node, key)
         except (TypeError, IndexError, AttributeError):
-            return None
-    return float(node) if isinstance(node, int | float) else None
+            return None, ()
+    if isinstance(node, tuple) and node and all(isinstance(one, int | float) for one in node):
+        each = tuple(map(float, node))
+        return (each[0] if len(set(each)) == 1 else None), each
+    return (float(node) if isinstance(node, int | float) else None), ()
+
+
+def refuse_twice(names: Collection[str]) -> None:
+    """Refuse a number of one arm beside that of all arms.
+
+    Args:
+        names: Of all fields.
+
+    Raises:
+        InputError: With both.
+    """
+    for name in names:
+        whole, _, last = name.rpartition(".")
+        if last.isdecimal() and whole in names:
+            raise InputError(f"{name}: is part of {whole}, which is given as well")
 
 
 def _prior(field: Parameter, text: str, current: float | None) -> tuple[float, float, bool]:

@@ -58,6 +58,16 @@ def continuous(attitudes: Array) -> Array:
     return q if q[known[0], 0] >= 0.0 else np.asarray(-q)
 
 
+def flags_in(turn: Array, flags: Any) -> Any:
+    """Flags of axes, in turned axes: any that a new axis is made of.
+
+    Args:
+        turn: Rows are the new axes in the old ones, shape (3, 3).
+        flags: Shape (samples, 3).
+    """
+    return (np.asarray(flags, dtype=float) @ (np.abs(turn) > 0.1).T) > 0.0
+
+
 def product(a: Any, b: Any) -> Array:
     """Hamilton product of quaternions (w, x, y, z), shapes (..., 4)."""
     aw, ax, ay, az = np.moveaxis(np.asarray(a, dtype=float), -1, 0)

@@ -32,6 +32,11 @@ FEW = 0.01
 MAPPED = "table with a mapping"
 
 
+#: Share of a range from which a sample is at its end: the largest count of a converter of 16 bits
+#: is 2⁻¹⁵ below.
+AT_END = 1.0 - 2.0**-14
+
+
 class QuantityKind(NamedTuple):
     """What a channel tells."""
 

@@ -10,10 +10,22 @@ import scipy  # submodules are loaded on first use
 
 from springback.errors import InputError
 from springback.identification.observations.likelihood import ImpactProblem
-from springback.identification.solving.least_squares import DIFFERENCE, jacobians, solve
-from springback.identification.solving.profiles import PROFILE_RISE, Profile, profile_likelihoods
+from springback.identification.solving.least_squares import (
+    DIFFERENCE,
+    MOST_ROUNDS,
+    jacobians,
+    solve,
+)
+from springback.identification.solving.profiles import (
+    PROFILE_RISE,
+    ROUNDS,
+    Profile,
+    profile_likelihoods,
+)
+from springback.identification.solving.search_progress import SearchProgress, Tell, ignore_words
 from springback.identification.unknowns import FARTHEST
 from springback.logs.recording import Array
+from springback.progress import Progress, silent
 
 #: Half the width of starts, in deviations of the prior (chosen).
 SPREAD = 2.0
@@ -56,7 +68,13 @@ class ImpactFit(NamedTuple):
 
 
 def fit_impact(
-    problem: ImpactProblem, *, starts: int, seed: int, profiles: bool = True
+    problem: ImpactProblem,
+    *,
+    starts: int,
+    seed: int,
+    profiles: bool = True,
+    progress: Progress = silent,
+    tell: Tell = ignore_words,
 ) -> ImpactFit:
     """Fit an impact.
 
@@ -65,6 +83,8 @@ def fit_impact(
         starts: Number of starts: the middle of the prior, then points of a Sobol' sequence.
         seed: Of its scrambling.
         profiles: Profile the free fields, too.
+        progress: Called after each round with the share done.
+        tell: Called after each round with what is being done, in words.
 
     Raises:
         InputError: If no start could be evaluated.
@@ -76,8 +96,12 @@ def fit_impact(
         sobol = scipy.stats.qmc.Sobol(int(free.sum()), seed=seed)
         spread = SPREAD * (2.0 * sobol.random(1 << (starts - 1).bit_length()) - 1.0)
         first[1:, free] = spread[: starts - 1]
+    told = SearchProgress(
+        problem.impact.name, lambda: problem.flown, progress=progress, tell=tell
+    )  # fmt: skip
+    searching = told.searching(starts, MOST_ROUNDS)
     _refuse_unflyable(problem, first[0])
-    rough = solve(problem, first, farthest=FARTHEST, central=False)
+    rough = solve(problem, first, farthest=FARTHEST, central=False, watch=searching)
     if not np.isfinite(rough.costs).any():
         raise InputError(
             f"{problem.impact.name}: no flight of the scenario can be flown from the logged start; "
@@ -86,7 +110,8 @@ def fit_impact(
     best = int(np.argmin(rough.costs))
     point, cost = rough.points[best], float(rough.costs[best])
     problem.refine_noise(point)
-    again = solve(problem, point[None], farthest=FARTHEST)
+    polishing = told.polishing(MOST_ROUNDS)
+    again = solve(problem, point[None], farthest=FARTHEST, watch=polishing)
     point, cost = again.points[0], float(again.costs[0])
     least = float(rough.costs[best])
     agreeing = int((rough.costs < least + max(SAME, 1e-3 * least)).sum())
@@ -97,12 +122,15 @@ def fit_impact(
         covariance = _inverse(slopes)
         if not profiles:
             break
-        known, better = profile_likelihoods(problem, point, cost, covariance, free)
+        profiling = told.profiling(int(free.sum()), ROUNDS, turn)
+        known, better = profile_likelihoods(
+            problem, point, cost, covariance, free, watch=profiling
+        )  # fmt: skip
         unsettled = better is not None
         if better is None or turn == SEARCHES - 1:
             found = known
             break
-        again = solve(problem, better[None], farthest=FARTHEST)
+        again = solve(problem, better[None], farthest=FARTHEST, watch=polishing)
         point, cost = again.points[0], float(again.costs[0])
     bounds = _edges(problem, point, slopes, covariance)
     if unsettled:

@@ -12,6 +12,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.identification.solving.search_progress import Watch, ignore_round
+
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Residuals = Callable[[Array], Array]
 """Residuals of points, shape (points, numbers) to (points, rows); NaN where a point is refused."""
@@ -104,6 +106,7 @@ def solve(
     damping: float = DAMPING,
     together: bool = True,
     central: bool = True,
+    watch: Watch = ignore_round,
 ) -> Solution:
     """Solve problems that differ in where they start and in what is held.
 
@@ -119,6 +122,7 @@ def solve(
         together: True if all seek the same optimum: those far above the best are given up.
         central: False takes differences to one side, at half the flights: what is found is then as
             near to an optimum as its cost tells, but not as its gradient does.
+        watch: Called after each round with its number, from 1, and the problems not yet solved.
     """
     points = np.clip(np.array(starts, dtype=float), -farthest, farthest)
     problems, numbers = points.shape
@@ -167,6 +171,7 @@ def solve(
                 if (now[:, place] & ~edges[:, k]).any():  # what stops it no longer damps the rest
                     dampings[k] = damping
             edges[:, again] = now
+        watch(turn + 1, int((~done).sum()))
     return Solution(points, costs, residuals, slopes, done & np.isfinite(costs))
 
 

@@ -7,12 +7,14 @@ side.
 
 from __future__ import annotations
 
+import functools
 from typing import Any, NamedTuple
 
 import numpy as np
 import scipy  # submodules are loaded on first use
 
 from springback.identification.solving.least_squares import Residuals, solve
+from springback.identification.solving.search_progress import ProfileWatch, ignore_profile_step
 from springback.identification.unknowns import FARTHEST
 from springback.logs.recording import Array
 
@@ -75,7 +77,13 @@ class _End:
 
 
 def profile_likelihoods(
-    evaluate: Residuals, point: Array, cost: float, covariance: Array, free: Any
+    evaluate: Residuals,
+    point: Array,
+    cost: float,
+    covariance: Array,
+    free: Any,
+    *,
+    watch: ProfileWatch = ignore_profile_step,
 ) -> tuple[dict[str, Profile], Array | None]:
     """Profiles of the free numbers; and a better optimum, if one was found on the way.
 
@@ -85,6 +93,7 @@ def profile_likelihoods(
         cost: There.
         covariance: By Laplace, shape (numbers, numbers).
         free: True for numbers whose profile is sought, shape (numbers,).
+        watch: Called after each step of each round, and after the round as its step 0.
     """
     deviations, numbers = np.sqrt(np.diag(covariance)), len(point)
     ends = [
@@ -96,10 +105,11 @@ def profile_likelihoods(
     }
     # Where the others go when one moves, first as Laplace has it, then as they went.
     ways = [covariance[:, end.place] / covariance[end.place, end.place] for end in ends]
-    for _ in range(ROUNDS):
+    for turn in range(1, ROUNDS + 1):
         busy = [k for k, end in enumerate(ends) if not end.settled]
         if not busy:
             break
+        watched = functools.partial(_watch_step, watch, turn, ends)
         starts, held = np.empty((len(busy), numbers)), np.zeros((len(busy), numbers), dtype=bool)
         for row, k in enumerate(busy):
             end = ends[k]
@@ -108,7 +118,7 @@ def profile_likelihoods(
             held[row, end.place] = True
         found = solve(
             evaluate, starts, farthest=FARTHEST, held=held, rounds=FITTING, enough=FITTED,
-            damping=1e-6, together=False, central=False,
+            damping=1e-6, together=False, central=False, watch=watched,
         )  # fmt: skip
         if found.costs.min() < cost - BETTER:
             return _profiles(evaluate, point, ends, told), found.points[int(found.costs.argmin())]
@@ -119,7 +129,14 @@ def profile_likelihoods(
                 told[end.place].append((float(starts[row, end.place]), rise))
                 ways[k] = end.sign * (found.points[row] - point) / max(end.reach, 1e-12)
             end.learn(float(np.sqrt(max(rise, 1e-12))))
+        _watch_step(watch, turn, ends, 0, 0)
     return _profiles(evaluate, point, ends, told), None
+
+
+def _watch_step(watch: ProfileWatch, turn: int, ends: list[_End], step: int, left: int) -> None:
+    """Tell of a step of a round, of whose fits some are left."""
+    pairs = zip(ends[::2], ends[1::2], strict=True)
+    watch(turn, sum(below.settled and above.settled for below, above in pairs), step)
 
 
 def _profiles(

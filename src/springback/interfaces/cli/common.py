@@ -18,6 +18,7 @@ import click
 
 from springback.interfaces.cli.completion import complete_vehicle
 from springback.interfaces.output.plain_text import plain_text
+from springback.interfaces.output.progress_lines import ProgressLines
 
 Command = Callable[..., None]
 FIRST = (
@@ -27,8 +28,6 @@ FIRST = (
 """Label of the spinner while a flight is flown."""
 PATIENCE = 1.0
 """Seconds before a progress bar appears."""
-SILENCE = 10.0
-"""Seconds before a line says what is done where there is no terminal."""
 
 
 def say(text: str) -> None:
@@ -57,32 +56,38 @@ class Terminal:
 
     @contextmanager
     def progress_bar(self, label: str) -> Iterator[Callable[[float], None]]:
-        """A progress bar for fractions from 0 to 1, on a terminal only, after a second."""
+        """Progress for fractions from 0 to 1: as `progress_in_words`, without words."""
+        with self.progress_in_words(label) as (show, _):
+            yield show
+
+    @contextmanager
+    def progress_in_words(
+        self, label: str
+    ) -> Iterator[tuple[Callable[[float], None], Callable[[str], None]]]:
+        """Functions that show a fraction from 0 to 1, and tell in words what is being done.
+
+        A bar on a terminal, after a second; elsewhere a line every ten seconds, also while nothing
+        is shown.
+        """
         from rich.console import Console
-        from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
         console = Console(stderr=True)
-        columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
-        bar = Progress(
-            *columns, console=console, transient=True,
-            disable=self.quiet or not console.is_terminal,
-        )  # fmt: skip
-        task = bar.add_task(label, total=1.0)
-        begun = time.monotonic()
-
-        def show(share: float) -> None:
-            bar.update(task, completed=share)
-            if not bar.live.is_started and time.monotonic() - begun > PATIENCE:
-                bar.start()
-
-        try:
-            yield show
-        finally:
-            bar.stop()
+        if self.quiet:
+            yield (lambda share: None), (lambda doing: None)
+        elif console.is_terminal:
+            with _bar(console, label) as both:
+                yield both
+        else:
+            lines = ProgressLines(label, say)
+            with lines.looking():
+                yield lines.show, lines.tell
 
     @contextmanager
     def spinner(self, label: str) -> Iterator[None]:
-        """A spinner for work that reports no progress, such as compiling; a line in a file."""
+        """A spinner for work that reports no progress, such as compiling.
+
+        Without a terminal a line every ten seconds.
+        """
         import threading
 
         from rich.console import Console
@@ -91,19 +96,44 @@ class Terminal:
         if self.quiet:
             yield
             return
+        if not console.is_terminal:
+            with ProgressLines(label, say).looking():
+                yield
+            return
         status = console.status(label)
-        shows = console.is_terminal
         timer = threading.Timer(PATIENCE, status.start)
-        if not shows:
-            timer = threading.Timer(SILENCE, say, (label,))
         timer.start()
         try:
             yield
         finally:
             timer.cancel()
             timer.join()
-            if shows:
-                status.stop()
+            status.stop()
+
+
+@contextmanager
+def _bar(
+    console: Any, label: str
+) -> Iterator[tuple[Callable[[float], None], Callable[[str], None]]]:
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    words = TextColumn("{task.description}", markup=False)
+    bar = Progress(words, BarColumn(), TimeElapsedColumn(), console=console, transient=True)
+    task = bar.add_task(label, total=1.0)
+    begun = time.monotonic()
+
+    def show(share: float) -> None:
+        bar.update(task, completed=share)
+        if not bar.live.is_started and time.monotonic() - begun > PATIENCE:
+            bar.start()
+
+    def tell(doing: str) -> None:
+        bar.update(task, description=plain_text(f"{label}: {doing}"))
+
+    try:
+        yield show, tell
+    finally:
+        bar.stop()
 
 
 @dataclass(frozen=True)

@@ -9,13 +9,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 
 from springback.errors import InputError
 from springback.logs.formats.ulog import Rows, Topic, read_ulog
-from springback.logs.frame_turns import BODIES, WORLDS, attitudes_in, vectors_in
+from springback.logs.frame_turns import BODIES, WORLDS, attitudes_in, flags_in, vectors_in
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
     ARM_LENGTH,
@@ -149,18 +148,12 @@ def _raw(quantity: str) -> Maker:
         at = _sample_times(table)
         clipped = None
         if table.has("clip_counter"):
-            counts = table.column("clip_counter")
-            moved = np.diff(counts, axis=0, prepend=counts[:1]) != 0.0
-            clipped = _turned_flags(moved, FRD @ board)
+            # Counts are those of the message's own samples, not of all so far.
+            clipped = flags_in(FRD @ board, table.column("clip_counter") > 0.0)
         chain = SensorChain(note="of the chip, without the autopilot's calibration")
         return [log_channel(where, table.name, quantity, at, values, clipped=clipped, chain=chain)]
 
     return read
-
-
-def _turned_flags(flags: Any, turn: Array) -> Any:
-    """Flags of axes, in turned axes: any that a new axis is made of."""
-    return (flags.astype(float) @ (np.abs(turn) > 0.1).T) > 0.0
 
 
 def _sample_times(table: TopicTable) -> Array:
@@ -192,7 +185,7 @@ def _fifo(quantity: str) -> Maker:
         counts = np.stack([table.rows[axis].astype(float)[used] for axis in "xyz"], axis=1)
         scale = np.broadcast_to(table.column("scale"), used.shape)[used]
         values = vectors_in(FRD @ board, counts * scale[:, None])
-        clipped = _turned_flags(np.abs(counts) >= 32767.0, FRD @ board)
+        clipped = flags_in(FRD @ board, np.abs(counts) >= 32767.0)
         if not len(at):
             return []
         chain = SensorChain(
@@ -323,7 +316,10 @@ def _landed(where: str, table: TopicTable) -> list[LogChannel]:
 
 def _arm_length(where: str, table: TopicTable) -> list[LogChannel]:
     at = _sample_times(table)
-    return [log_channel(where, table.name, ARM_LENGTH, at, table.column("length"))]
+    lengths, clipped = table.column("length"), None
+    if table.has("clipped"):
+        clipped = table.column("clipped") > 0.0
+    return [log_channel(where, table.name, ARM_LENGTH, at, lengths, clipped=clipped)]
 
 
 MAKERS: dict[str, tuple[Maker, tuple[str, ...]]] = {

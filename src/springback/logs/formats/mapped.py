@@ -10,8 +10,9 @@ from pydantic import Field, ValidationError, field_validator, model_validator
 
 from springback.errors import InputError, shown_value
 from springback.logs.formats.text import NumberColumns, open_text, table_lines
-from springback.logs.frame_turns import BODIES, WORLDS, attitudes_in, vectors_in
+from springback.logs.frame_turns import BODIES, WORLDS, attitudes_in, flags_in, vectors_in
 from springback.logs.recording import (
+    AT_END,
     ATTITUDE,
     MAPPED,
     QUANTITIES,
@@ -74,6 +75,9 @@ class MappedChannel(Settings):
     """Smoothed by the program that recorded it."""
     full_scale: Annotated[str, Field(max_length=64)] | float | None = None
     """Largest magnitude that the sensor gives, with its unit, or in SI."""
+    clipped: Annotated[tuple[Name, ...], Field(max_length=64)] = ()
+    """Columns that are 1 where a sample is at the end of the range, one for each of ``columns``; by
+    default these are samples of ``full_scale``."""
     average: Duration | None = None
     """Time over which each sample is the mean."""
     low_pass: Annotated[float, Unit("Hz", above=0.0)] | None = None
@@ -92,6 +96,13 @@ class MappedChannel(Settings):
         if width is not None and len(self.columns) != width:
             raise problem(
                 f"{self.quantity} needs {width} columns (got {len(self.columns)})", "columns"
+            )
+        if self.clipped and self.quantity == ATTITUDE:
+            raise problem("an attitude has no range to end", "clipped")
+        if self.clipped and len(self.clipped) != len(self.columns):
+            raise problem(
+                f"needs one for each of {len(self.columns)} columns (got {len(self.clipped)})",
+                "clipped",
             )
         for field, unit in (("unit", self.si_unit), ("time_unit", "s")):
             text = getattr(self, field)
@@ -190,7 +201,7 @@ def read_mapped(path: Path, part: TimeSpan) -> Recording:
     if not table.is_file():
         raise InputError(f"{path}: file: there is no file {table}")
     wanted = sorted({
-        name for one in mapping.channels for name in (one.time, *one.columns)
+        name for one in mapping.channels for name in (one.time, *one.columns, *one.clipped)
     })  # fmt: skip
     budget = Budget(str(table))
     if table.suffix.lower() == ".parquet":
@@ -285,9 +296,14 @@ def _channel(
         values = vectors_in(turn, values.reshape(len(values), -1, 3)).reshape(len(values), -1)
     chain = one.chain()
     clipped = None
-    if chain.full_scale is not None:
+    if one.clipped:
+        clipped = np.stack([columns[name] for name in one.clipped], axis=1)[chosen] > 0.0
+        if frame:
+            points = clipped.reshape(len(clipped), -1, 3)
+            clipped = flags_in(turn, points).reshape(clipped.shape)
+    elif chain.full_scale is not None:
         with np.errstate(invalid="ignore"):
-            clipped = np.abs(values) >= chain.full_scale * (1.0 - 1e-6)
+            clipped = np.abs(values) >= AT_END * chain.full_scale
     return log_channel(
         where, one.name, one.quantity, times, values, clipped=clipped, clock=one.clock, chain=chain
     )

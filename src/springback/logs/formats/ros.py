@@ -16,7 +16,7 @@ import numpy as np
 from springback.errors import InputError
 from springback.logs.formats.autopilot import MAKERS, channels_of
 from springback.logs.formats.ulog import Topic
-from springback.logs.frame_turns import BODIES, WORLDS, attitudes_in, vectors_in
+from springback.logs.frame_turns import BODIES, WORLDS, attitudes_in, flags_in, vectors_in
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
     ARM_LENGTH,
@@ -43,6 +43,9 @@ MOST_BODIES = 100
 ESTIMATES = ("odom", "local_position", "estimate", "filtered")
 #: Topics of joint states that springback writes.
 OWN_TOPICS = ("arm_lengths", "rotor_commands")
+#: Last part of the name of a topic of springback, of samples at the end of the range: joints named
+#: by the part of a message and the place in it, whose positions are 1.
+CLIPPED = "clipped"
 #: Most joints or motors of one message (chosen).
 MOST_PARTS = 64
 
@@ -136,6 +139,14 @@ def _joints(message: Any) -> Iterator[tuple[Any, list[Part]]]:
         yield message.header, [("", ROTOR_COMMAND, efforts)]
 
 
+def _flags(message: Any) -> Iterator[tuple[Any, list[Part]]]:
+    """Samples at the end of the range (springback's own topics)."""
+    found: dict[str, list[float]] = {}
+    for name, flag in zip(message.name, message.position, strict=False):
+        found.setdefault(str(name).rpartition(".")[0], []).append(float(flag))
+    yield message.header, [(part, CLIPPED, flags) for part, flags in found.items()]
+
+
 READERS: dict[str, Callable[[Any], Iterator[tuple[Any, list[Part]]]]] = {
     "geometry_msgs/msg/PoseStamped": _pose_stamped,
     "geometry_msgs/msg/PoseWithCovarianceStamped": _pose_covariance,
@@ -169,7 +180,7 @@ def px_topic(topic: str, kind: str) -> str | None:
 def is_read(topic: str, kind: str) -> bool:
     """True for the messages that become channels; joint states only in springback's own topics."""
     if kind == "sensor_msgs/msg/JointState":
-        return topic.rpartition("/")[2] in OWN_TOPICS
+        return topic.rpartition("/")[2] in (*OWN_TOPICS, CLIPPED)
     return kind in READERS or px_topic(topic, kind) is not None
 
 
@@ -196,6 +207,7 @@ class RosCollector:
         self.where, self.part, self.budget = where, part, Budget(where)
         self.world, self.body = WORLDS[world], BODIES[body]
         self.samples: dict[tuple[str, str], _Samples] = {}
+        self.flags: dict[tuple[str, str], _Samples] = {}
         self.tables: dict[str, tuple[str, list[dict[str, Any]]]] = {}
         self.unstamped: set[str] = set()
 
@@ -212,7 +224,10 @@ class RosCollector:
         if name is not None:
             self._add_row(topic, name, message)
             return
-        for header, parts in READERS[kind](message):
+        stem, _, last = topic.rpartition("/")
+        flags = last == CLIPPED and kind == "sensor_msgs/msg/JointState"
+        read = _flags if flags else READERS[kind]
+        for header, parts in read(message):
             at = float(header.stamp.sec) + 1e-9 * float(header.stamp.nanosec)
             if at == 0.0:
                 at = arrival
@@ -220,15 +235,25 @@ class RosCollector:
                     self.unstamped.add(topic)
             if self.part.has(at):
                 for part in parts:
-                    self._add_part(topic, part, at, arrival)
+                    if flags:
+                        self._add_part(self.flags, stem, part, at, arrival)
+                    else:
+                        self._add_part(self.samples, topic, part, at, arrival)
 
-    def _add_part(self, topic: str, part: Part, at: float, arrival: float) -> None:
+    def _add_part(
+        self,
+        into: dict[tuple[str, str], _Samples],
+        topic: str,
+        part: Part,
+        at: float,
+        arrival: float,
+    ) -> None:
         name, quantity, values = part
-        rows = self.samples.get((topic, name))
+        rows = into.get((topic, name))
         if rows is None:
-            if len(self.samples) >= 3 * MOST_BODIES or len(values) > MOST_PARTS:
+            if len(into) >= 3 * MOST_BODIES or len(values) > MOST_PARTS:
                 return
-            rows = self.samples[topic, name] = _Samples(quantity, len(values))
+            rows = into[topic, name] = _Samples(quantity, len(values))
         if len(values) != rows.width:
             return
         self.budget.take(rows.width + 2)
@@ -277,7 +302,25 @@ class RosCollector:
         )
         chain = SensorChain(estimated=estimated)
         full = f"{topic}.{name}" if name else topic
-        return log_channel(self.where, full, rows.quantity, at, values, chain=chain)
+        clipped = None
+        if rows.quantity != ATTITUDE:
+            clipped = self._clipped(topic, name, rows.width, at)
+        if clipped is not None and frame:
+            clipped = flags_in(self.world if frame == "world" else self.body, clipped)
+        return log_channel(
+            self.where, full, rows.quantity, at, values, clipped=clipped, chain=chain
+        )  # fmt: skip
+
+    def _clipped(self, topic: str, name: str, width: int, at: Array) -> Any:
+        """Flags of samples at the end of the range, by their instants; None if nothing tells."""
+        rows = self.flags.get((topic, name))
+        if rows is None or rows.width != width:
+            return None
+        times = np.frombuffer(rows.times)
+        order = np.argsort(times, kind="stable")
+        flags = np.frombuffer(rows.values).reshape(len(times), -1)[order] > 0.0
+        places = np.minimum(np.searchsorted(times[order], at), len(times) - 1)
+        return flags[places] & (times[order][places] == at)[:, None]
 
     def remarks(self) -> list[str]:
         """What was seen, a sentence each."""

@@ -10,6 +10,7 @@ import numpy as np
 from springback.errors import InputError
 from springback.extras import needs
 from springback.files import atomic_file
+from springback.logs.formats.ros import CLIPPED
 from springback.logs.frame_turns import BODIES, WORLDS, attitudes_in, vectors_in
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
@@ -60,6 +61,7 @@ def write_bag(recording: Recording, path: Path) -> list[str]:
 
     Accelerometer and gyroscope become ``sensor_msgs/Imu``, poses ``geometry_msgs/PoseStamped``;
     lengths of arms and commands of rotors are positions and efforts of ``sensor_msgs/JointState``.
+    Samples at the end of a range have positions of 1 in a topic beside theirs, ``.../clipped``.
 
     Args:
         recording: What is written.
@@ -158,6 +160,7 @@ def _add_imu(sink: _Sink, topic: str, force: LogChannel, gyro: LogChannel) -> No
         _stamps(force.times), vectors_in(flu.T, force.values), vectors_in(flu.T, gyro.values),
         strict=True,
     )  # fmt: skip
+    _add_flags(sink, topic, {"linear_acceleration": force, "angular_velocity": gyro})
     for stamp, a, w in rows:
         message = imu(
             header=_header(sink, stamp, "base_link"),
@@ -187,16 +190,35 @@ def _add_poses(sink: _Sink, topic: str, place: LogChannel, turn: LogChannel) -> 
 
 
 def _add_joints(sink: _Sink, topic: Any, channel: LogChannel) -> None:
-    name, is_length = "sensor_msgs/msg/JointState", channel.quantity == ARM_LENGTH
-    number = sink.topic(topic("/arm_lengths" if is_length else "/rotor_commands"), name)
-    joint, none = sink.kind(name), np.zeros(0)
+    is_length = channel.quantity == ARM_LENGTH
+    name = topic("/arm_lengths" if is_length else "/rotor_commands")
     part = "arm" if is_length else "rotor"
     names = [f"{part}{k + 1}" for k in range(channel.values.shape[1])]
-    rows = np.ascontiguousarray(channel.values)
-    for stamp, row in zip(_stamps(channel.times), rows, strict=True):
+    _add_joint_states(sink, name, channel.times, names, channel.values, is_position=is_length)
+    _add_flags(sink, name, {"": channel})
+
+
+def _add_flags(sink: _Sink, topic: str, parts: dict[str, LogChannel]) -> None:
+    """Samples at the end of the range, of the parts of a topic's messages that tell them."""
+    told = {part: one for part, one in parts.items() if one.clipped is not None}
+    if not told:
+        return
+    names = [f"{part}.{k}" for part, one in told.items() for k in range(one.values.shape[1])]
+    flags = np.concatenate([np.asarray(one.clipped, dtype=float) for one in told.values()], axis=1)
+    times = next(iter(told.values())).times
+    _add_joint_states(sink, f"{topic}/{CLIPPED}", times, names, flags, is_position=True)
+
+
+def _add_joint_states(
+    sink: _Sink, topic: str, times: Array, names: list[str], values: Array, *, is_position: bool
+) -> None:
+    """Positions of joints, or their efforts."""
+    name, none = "sensor_msgs/msg/JointState", np.zeros(0)
+    number, joint = sink.topic(topic, name), sink.kind(name)
+    for stamp, row in zip(_stamps(times), np.ascontiguousarray(values), strict=True):
         message = joint(
             header=_header(sink, stamp, "base_link"), name=names,
-            position=row if is_length else none, velocity=none,
-            effort=none if is_length else row,
+            position=row if is_position else none, velocity=none,
+            effort=none if is_position else row,
         )  # fmt: skip
         sink.add(number, name, stamp, message)

@@ -12,6 +12,7 @@ from springback.logs.reading import LogOptions, read_recording
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
     ARM_LENGTH,
+    AT_END,
     ATTITUDE,
     POSITION,
     ROTOR_COMMAND,
@@ -79,7 +80,7 @@ def flight_recording(flight: FlightResult, path: Path) -> Recording:
             chain = SensorChain(
                 full_scale=part.full_scale, low_pass=part.bandwidth, note="simulated"
             )
-            clipped = np.abs(values) >= part.full_scale * (1.0 - 2.0**-14)
+            clipped = np.abs(values) >= AT_END * part.full_scale
         channels.append(
             log_channel(where, name, quantity, at, values, clipped=clipped, chain=chain)
         )

@@ -17,7 +17,8 @@ from springback.logs.recording import ATTITUDE, QUANTITIES, Array, LogChannel, R
 def write_table(recording: Recording, path: Path) -> list[str]:
     """Write a recording as CSV, and beside it a mapping file of the same name, ``.toml``.
 
-    Each clock and rate has a column of times of its own; numbers are written in full.
+    Each clock and rate has a column of times of its own; numbers are written in full.  Samples at
+    the end of a range are 1 in columns of their own.
 
     Args:
         recording: What is written.
@@ -27,17 +28,21 @@ def write_table(recording: Recording, path: Path) -> list[str]:
         Nothing is left out: an empty list.
     """
     groups: list[tuple[str, Array]] = []
-    columns: list[tuple[str, Array]] = []
+    columns: list[tuple[str, list[str]]] = []
     entries: list[str] = []
     for channel in recording.channels:
         time = next((name for name, at in groups if np.array_equal(at, channel.times)), None)
         if time is None:
             time = f"t{len(groups) + 1}"
             groups.append((time, channel.times))
-            columns.append((time, channel.times))
+            columns.append((time, list(map(_text, channel.times))))
         stem = channel.name.replace(" ", "_").replace(",", "_")
         names = [f"{stem}.{label}" for label in _labels(channel)]
-        columns += list(zip(names, channel.values.T, strict=True))
+        texts = [list(map(_text, values)) for values in channel.values.T]
+        columns += list(zip(names, texts, strict=True))
+        if channel.clipped is not None:
+            flags = [[str(int(one)) for one in column] for column in channel.clipped.T]
+            columns += list(zip(map(_flag_name, names), flags, strict=True))
         entries.append(_entry(channel, time, names))
     mapping = [
         "# What the columns of the table are: springback identify inspect FILE.toml",
@@ -52,14 +57,19 @@ def write_table(recording: Recording, path: Path) -> list[str]:
     with atomic_file(path) as draft, draft.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow([name for name, _ in columns])
-        texts: list[list[str]] = [list(map(_text, values)) for _, values in columns]
-        writer.writerows(itertools.zip_longest(*texts, fillvalue=""))
+        cells = (texts for _, texts in columns)
+        writer.writerows(itertools.zip_longest(*cells, fillvalue=""))
     write_atomically(path.with_suffix(".toml"), "\n".join(mapping))
     return []
 
 
 def _text(value: Any) -> str:
     return "" if np.isnan(value) else repr(float(value))
+
+
+def _flag_name(name: str) -> str:
+    """Column that tells which samples of a column are at the end of the range."""
+    return f"{name}.clipped"
 
 
 def _labels(channel: LogChannel) -> list[str]:
@@ -83,6 +93,8 @@ def _entry(channel: LogChannel, time: str, names: list[str]) -> str:
         f'time = "{time}"',
         f"clock = {json.dumps(channel.clock, ensure_ascii=False)}",
     ]
+    if channel.clipped is not None:
+        lines.append(f"clipped = {json.dumps(list(map(_flag_name, names)), ensure_ascii=False)}")
     if channel.is_lost.any():
         lines.append('blank = "lost"')
     if chain.full_scale is not None:

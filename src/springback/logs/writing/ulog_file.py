@@ -68,8 +68,9 @@ def write_ulog(recording: Recording, path: Path) -> list[str]:
 
     Accelerations and rates become ``sensor_accel`` and ``sensor_gyro``, measured poses
     ``vehicle_visual_odometry``, estimates ``vehicle_attitude`` and ``vehicle_local_position``,
-    commands ``actuator_motors``; lengths of arms become a topic ``arm_length``.  Times are rounded
-    to microseconds and most numbers to single precision, as the format has them.
+    commands ``actuator_motors``; lengths of arms become a topic ``arm_length``.  Samples at the end
+    of a range are ``clip_counter`` of the first two, and ``clipped`` of the last.  Times are
+    rounded to microseconds and most numbers to single precision, as the format has them.
 
     Args:
         recording: What is written.
@@ -146,7 +147,9 @@ def _tables(recording: Recording) -> tuple[list[_Table], list[str]]:
                        control=("float", control))
             )  # fmt: skip
         elif channel.quantity == ARM_LENGTH:
-            found.append(_table("arm_length", known, length=("float", channel.values)))
+            found.append(_table(
+                "arm_length", known, length=("float", channel.values), **_flags(channel, "clipped")
+            ))  # fmt: skip
         else:
             left_out.append(channel.name)
     if not found:
@@ -159,14 +162,15 @@ def _sensor(channel: LogChannel) -> _Table:
     values = vectors_in(FRD.T, channel.values)
     axes = {axis: ("float", values[:, k]) for k, axis in enumerate("xyz")}
     stamps = ("uint64_t", np.round(channel.times * 1e6))
-    more: dict[str, tuple[str, Any]] = {}
-    name = "sensor_gyro"
-    if channel.quantity == SPECIFIC_FORCE:
-        name = "sensor_accel"
-        flags = channel.clipped if channel.clipped is not None else np.zeros(values.shape, bool)
-        more = {"clip_counter": ("uint8_t", np.cumsum(flags, axis=0) % 256)}
+    name = "sensor_accel" if channel.quantity == SPECIFIC_FORCE else "sensor_gyro"
     device = ("uint32_t", np.ones(len(values)))
-    return _table(name, channel.times, timestamp_sample=stamps, device_id=device, **axes, **more)
+    flags = _flags(channel, "clip_counter")  # counted in each message, whose sample is one
+    return _table(name, channel.times, timestamp_sample=stamps, device_id=device, **axes, **flags)
+
+
+def _flags(channel: LogChannel, name: str) -> dict[str, tuple[str, Any]]:
+    """Flags of samples at the end of the range as a field; none if a channel does not tell."""
+    return {} if channel.clipped is None else {name: ("uint8_t", channel.clipped)}
 
 
 def _partner(channel: LogChannel, recording: Recording) -> dict[str, LogChannel]:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from springback.identification.fits import FitResult
     from springback.identification.law_comparison import LawComparison
     from springback.identification.report.assumptions import Assumption
+    from springback.identification.solving.fitting import ImpactFit
 
 #: Cover of a 95 % interval below which it is too narrow.
 LEAST = 0.9
@@ -54,23 +55,28 @@ def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
 
     ready = read_fit_plan(plan, overrides)
     with naming_places(plan), output.folder((IDENTIFIED, POSTERIOR, SUMMARY, REPORT)) as folder:
-        with output.progress_bar("fitting") as progress:
-            result = carry_out(ready, plan.parent, progress=progress)
+        with output.progress_in_words("fitting") as (progress, tell):
+            result = carry_out(ready, plan.parent, progress=progress, tell=tell)
         with output.progress_bar("comparing laws") as progress:
             compared = compare_laws(result, progress=progress)
         with output.progress_bar("drawing the posterior") as progress:
             written = write_files(result, folder, compared, progress=progress)
         data = as_data(result, compared)
-        text = fit_text(result, compared, assumptions(result.fits))
+        with output.spinner("weighing what was assumed"):
+            assumed = assumptions(result.fits)
+        text = fit_text(result, compared, assumed)
         if output.wants_figures():
             from springback.identification.design.experiments import plan_experiments
             from springback.interfaces.reports.fit_page import write_report
 
-            with output.spinner("weighing further tests, drawing the report"):
+            with output.progress_bar("weighing further tests") as progress:
                 try:
-                    further = plan_experiments(ready, plan.parent, fits=result.fits)
+                    further = plan_experiments(
+                        ready, plan.parent, fits=result.fits, progress=progress
+                    )
                 except InputError:  # the scenario's start hits nothing: the logs tell the start
                     further = None
+            with output.spinner("drawing the report"):
                 written.append(write_report(result, folder, further, compared))
     output.print(data, text)
     output.note_written(written)
@@ -186,8 +192,11 @@ def plan_tests(plan: Path, overrides: tuple[str, ...], terminal: Terminal) -> No
     from springback.identification.settings import naming_places, read_fit_plan
 
     ready = read_fit_plan(plan, overrides)
+    fits: Sequence[ImpactFit] = ()
+    if ready.flights:
+        with naming_places(plan), terminal.progress_in_words("fitting") as (progress, tell):
+            fits = carry_out(ready, plan.parent, progress=progress, tell=tell).fits
     with naming_places(plan), terminal.progress_bar("weighing tests") as progress:
-        fits = carry_out(ready, plan.parent).fits if ready.flights else ()
         found = plan_experiments(ready, plan.parent, fits=fits, progress=progress)
     data = found._asdict() | {
         "fields": [one.name for one in found.fields], "sentence": found.sentence,

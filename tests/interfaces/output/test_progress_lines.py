@@ -1,0 +1,67 @@
+"""Lines of progress where there is no terminal: soon enough, also while nothing is reported."""
+
+from __future__ import annotations
+
+import threading
+from itertools import pairwise
+
+import pytest
+
+from springback.interfaces.cli.common import Terminal
+from springback.interfaces.output import progress_lines
+from springback.interfaces.output.progress_lines import LOOK, SILENCE, ProgressLines
+
+
+def test_no_silence_is_longer_than_twenty_seconds() -> None:
+    """Looked at each second for ten minutes, whatever is reported in between."""
+    now, said = 0.0, list[tuple[float, str]]()
+    lines = ProgressLines("fitting", lambda text: said.append((now, text)), lambda: now)
+    for step in range(600):
+        now = step * LOOK
+        if step % 7 == 0:
+            lines.show(step / 600.0)
+        if step > 300:
+            lines.tell(f"round {step}")
+        lines.look()
+    times = [0.0, *(at for at, _ in said), now]
+    gaps = [after - before for before, after in pairwise(times)]
+    assert max(gaps) <= 20.0
+    assert min(gaps[:-1]) >= SILENCE  # and no log is filled
+    assert said[0] == (10.0, "fitting: 1%, after 10 s")
+    assert said[-1][1] == "fitting: 98%, round 590, after 590 s"
+
+
+def test_a_line_has_what_is_known() -> None:
+    now, said = 0.0, list[str]()
+    lines = ProgressLines("drawing", said.append, lambda: now)
+    lines.look()
+    assert said == []  # what is done at once says nothing
+    now = 12.0
+    lines.look()
+    lines.tell("the last page")
+    now = 24.0
+    lines.look()
+    assert said == ["drawing, after 12 s", "drawing: the last page, after 24 s"]
+
+
+@pytest.mark.parametrize("how", ["progress_bar", "progress_in_words", "spinner"])
+def test_a_task_that_reports_nothing_is_not_silent(
+    how: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr(progress_lines, "SILENCE", 0.0)
+    monkeypatch.setattr(progress_lines, "LOOK", 0.001)
+    said = threading.Semaphore(0)
+    look = ProgressLines.look
+
+    def watched(self: ProgressLines) -> None:
+        look(self)
+        said.release()
+
+    monkeypatch.setattr(ProgressLines, "look", watched)
+    with getattr(Terminal(), how)("waiting"):
+        for _ in range(3):
+            assert said.acquire(timeout=30.0)
+    assert capsys.readouterr().err.splitlines()[:3] == ["waiting, after 0 s"] * 3
+    with getattr(Terminal(quiet=True), how)("waiting"):
+        pass
+    assert capsys.readouterr().err == ""
