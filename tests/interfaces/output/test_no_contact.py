@@ -33,8 +33,10 @@ def _campaign(folder: Path, untouched: int, **given: Any) -> Campaign:
 
 def test_a_flight_past_its_obstacle_says_what_to_change() -> None:
     line = untouched_flight(fly(SHORT, executor="python"))
+    away = fly(SHORT, executor="python").gap(0).min()
     assert line.startswith(
-        "nothing was touched (no_contact): start nearer to an obstacle (start.pos"
+        f"nothing was touched (no_contact): world.obstacles[0] was nearest, {away:.3g} m away at "
+        "0.01 s, the end; start nearer to an obstacle (start.pos"
     )
     assert "simulation.duration" in line
     assert "start.touch_distance" in line
@@ -43,6 +45,35 @@ def test_a_flight_past_its_obstacle_says_what_to_change() -> None:
     assert untouched_flight(fly(free, executor="python")) == ""
     touching = {**SHORT, "start": {**THROW["start"], "touch_distance": 0.001}}
     assert untouched_flight(fly(touching, executor="python")) == ""
+
+
+BALL = {
+    "type": "sphere", "position": [1.0, 0.6, 1.0], "radius": 0.1, "surface": "wall",
+    "motion": {"type": "free", "mass": 1.0, "velocity": [-4.0, 0.0, 1.0]},
+}  # fmt: skip
+
+
+def _passed_by(duration: float, **given: Any) -> Any:
+    """A flight of a vehicle that falls from rest beside a ball that is thrown past it."""
+    return fly({
+        "vehicle": "arq", "start": {"position": [0, 0, 1]}, "simulation": {"duration": duration},
+        "world": {"obstacles": [{"type": "ground", "height": -5.0, "surface": "wall"}, BALL]},
+        **given,
+    })  # fmt: skip
+
+
+def test_a_ball_that_misses_says_how_near_it_came_and_what_to_change() -> None:
+    flight = _passed_by(0.4)
+    away = flight.gap(1).min(axis=1)
+    at = int(away.argmin())
+    assert 0 < at < len(away) - 1
+    assert untouched_flight(flight) == (
+        f"nothing was touched (no_contact): world.obstacles[1] was nearest, {away[at]:.3g} m away "
+        f"at {flight.t[at]:.3g} s; change where it starts (world.obstacles[1].position), how it "
+        "moves (world.obstacles[1].motion.velocity) or where the vehicle is (start.position), or "
+        "fly longer (simulation.duration)"
+    )
+    assert "s, the end; fly longer (simulation.duration), or" in untouched_flight(_passed_by(0.1))
 
 
 def test_a_campaign_most_of_whose_flights_touch_nothing_says_so(tmp_path: Path) -> None:
