@@ -14,7 +14,7 @@ from springback.campaign.access import Campaign
 from springback.campaign.analysis.statistics import summary
 from springback.campaign.design.layout import lay_out
 from springback.campaign.store import open_store
-from springback.interfaces.output.no_contact import untouched_flight, untouched_line
+from springback.interfaces.output.no_contact import idle_suction, untouched_flight, untouched_line
 from springback.interfaces.reports.campaign import summary_text, write_summary
 
 SHORT = {**THROW, "simulation": {"duration": 0.01}}
@@ -74,6 +74,20 @@ def test_a_ball_that_misses_says_how_near_it_came_and_what_to_change() -> None:
         "fly longer (simulation.duration)"
     )
     assert "s, the end; fly longer (simulation.duration), or" in untouched_flight(_passed_by(0.1))
+
+
+def test_a_wall_that_stays_beyond_its_reach_is_told_of() -> None:
+    vehicle = {"preset": "arq", "propulsion": {"surface_effect": {"wall_suction": 0.09}}}
+    far = {**SHORT, "vehicle": vehicle, "start": {"position": [0.0, 0.0, 1.0]}, "thrust": 0.0}
+    flight = fly(far, executor="python")
+    away = flight.gap(0).min()
+    assert idle_suction(flight).endswith(
+        "did nothing: it reaches 0.254 m (wall_reach), and world.obstacles[0], the nearest but for "
+        f"the ground, came no nearer than {away:.3g} m"
+    )
+    assert idle_suction(fly({**far, "vehicle": "arq"}, executor="python")) == ""
+    near = {**far, "start": {"position": [0.5, 0.0, 1.0]}}
+    assert idle_suction(fly(near, executor="python")) == ""
 
 
 def test_a_campaign_most_of_whose_flights_touch_nothing_says_so(tmp_path: Path) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -102,6 +103,30 @@ def _to_move(number: int, entry: Any, comes_nearer: bool) -> str:
     if comes_nearer:
         return f"fly longer (simulation.duration), or change {start} or {way}"
     return f"change {start}, {way} or where the vehicle is (start.position), {_LONGER}"
+
+
+def idle_suction(flight: Flight) -> str:
+    """Line on a flight whose rotors no wall can have drawn, though walls were to; else empty.
+
+    Only what is known for certain is said: the distance of a disc's middle from an obstacle is at
+    least that of the vehicle, less the disc's height and the radius of the cage around it.
+    """
+    vehicle, s = flight.scenario.vehicle, flight.scenario
+    effects = () if vehicle.propulsion is None else vehicle.propulsion.effect()
+    if not effects or not effects[0].suction > 0.0 or s.second is not None or vehicle.rotors:
+        return ""
+    [effect] = effects
+    solid = [k for k, entry in enumerate(s.world.obstacles) if entry.type != "ground"]
+    near = nearest_approach(flight, solid)
+    arms = range(len(vehicle.arms.directions))
+    inside = max((vehicle.arms.at("cage_radius", k) for k in arms), default=math.inf)
+    if near is None or near.distance - abs(effect.height) - inside <= effect.reach:
+        return ""
+    return (
+        f"vehicle.propulsion.surface_effect.wall_suction did nothing: it reaches "
+        f"{effect.reach:.3g} m (wall_reach), and world.obstacles[{near.obstacle}], the nearest but "
+        f"for the ground, came no nearer than {near.distance:.3g} m"
+    )
 
 
 def untouched_line(campaign: Campaign) -> str:
