@@ -14,17 +14,23 @@ from springback.campaign.access import Campaign
 from springback.campaign.analysis.statistics import summary
 from springback.campaign.design.layout import lay_out
 from springback.campaign.store import open_store
-from springback.interfaces.output.no_contact import idle_suction, untouched_flight, untouched_line
+from springback.interfaces.output.no_contact import (
+    idle_suction,
+    pressing_line,
+    untouched_flight,
+    untouched_line,
+)
 from springback.interfaces.reports.campaign import summary_text, write_summary
 
 SHORT = {**THROW, "simulation": {"duration": 0.01}}
 
 
-def _campaign(folder: Path, untouched: int, **given: Any) -> Campaign:
-    """A campaign of 20 flights, some of which touch nothing and fail."""
+def _campaign(folder: Path, untouched: int, pressing: int = 0, **given: Any) -> Campaign:
+    """A campaign of 20 flights, the first of which touch nothing, and the last still press."""
     design = lay_out(plan(samples=20, **given))
     columns = rows(design, 0, 20)
     columns["outcome"] = ["no_contact" if k < untouched else "separated" for k in range(20)]
+    columns["outcome"][20 - pressing :] = ["in_contact"] * pressing
     columns["problem"] = [""] * 20
     with open_store(folder, design, resume=False) as store:
         store.add(0, 20, columns)
@@ -108,3 +114,18 @@ def test_one_whose_flights_succeed_so_says_nothing(tmp_path: Path) -> None:
     """As through a window: not to touch it is what is wanted."""
     found = _campaign(tmp_path / "won", 15, success="outcome = 'no_contact'")
     assert untouched_line(found) == ""
+
+
+def test_successes_that_end_in_contact_are_told_of(tmp_path: Path) -> None:
+    found = _campaign(tmp_path / "rows", 2, 5)
+    assert found.query("SELECT sum(success) FROM flights").rows == [(20,)]
+    line = pressing_line(found)
+    assert line.startswith("5 of 20 successes ended in contact with an obstacle (in_contact), ")
+    assert line in summary_text(summary(found)).splitlines()
+    write_summary(summary(found), tmp_path)
+    assert "5 of 20 successes ended in contact" in (tmp_path / "summary.html").read_text("utf-8")
+    assert pressing_line(_campaign(tmp_path / "none", 2)) == ""
+    rule = ["separated or no_contact"]
+    strict = _campaign(tmp_path / "strict", 2, 5, success=rule)
+    assert strict.query("SELECT sum(success) FROM flights").rows == [(15,)]
+    assert pressing_line(strict) == ""

@@ -1,4 +1,4 @@
-"""Lines on flights that touch nothing, though there is something to touch: what to change."""
+"""Lines on flights that touch nothing, or that end in contact: what to change."""
 
 from __future__ import annotations
 
@@ -145,6 +145,21 @@ def untouched_line(campaign: Campaign) -> str:
     piloted = any(base.get("reference") or base.get("pilot") for base in design.bases)
     return (
         f"{untouched} of {flown} flights touched nothing (no_contact): {_TO_CHANGE[bool(piloted)]}"
+    )
+
+
+def pressing_line(campaign: Campaign) -> str:
+    """Line on flights that end in contact and are successes by the usual rule; else empty."""
+    if campaign.design.plan.success is not None:
+        return ""
+    sql = """SELECT count(*) FILTER (outcome = 'in_contact'), count(*)
+             FROM flights WHERE success = 1"""
+    [(pressing, won)] = campaign.query(sql).rows
+    if not pressing:
+        return ""
+    return (
+        f"{pressing} of {won} successes ended in contact with an obstacle (in_contact), which the "
+        'usual rule allows; success = ["separated or no_contact"] leaves them out'
     )
 
 
