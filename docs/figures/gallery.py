@@ -22,7 +22,7 @@ COMMANDS = [
 PICTURES = {
     "gallery_flight.png": "flight/flight.png",
     "gallery_energy.png": "flight/energy.png",
-    "gallery_map.png": "page/map-stiffness-start.velocity[0].png",
+    "gallery_map.png": "page/map-stiffness-start.velocity.0.png",
     "gallery_marginals.png": "page/marginals.png",
 }
 

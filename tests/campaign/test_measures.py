@@ -206,6 +206,27 @@ def test_a_page_shows_measures_and_commands(tmp_path: Path) -> None:
     }  # fmt: skip
 
 
+def test_files_of_a_page_have_plain_names(tmp_path: Path) -> None:
+    vary = [
+        SPEED,
+        {"field": "start.position.1", "from": "-1 cm", "to": "1 cm"},
+        {"field": "start.position.2", "name": "start.position.1", "from": "1 m", "to": "1.1 m"},
+        {"field": "surface", "name": "fläche", "values": ["wall", "mat"]},
+    ]
+    filled(tmp_path / "c", samples=15, vary=vary)
+    (tmp_path / "page").mkdir()
+    write_summary(summary(Campaign(tmp_path / "c")), tmp_path / "page", cells=3)
+    names = sorted(path.name for path in (tmp_path / "page").glob("map-*.png"))
+    assert names == [
+        "map-speed-fl_che.png", "map-speed-start.position.1-2.png",
+        "map-speed-start.position.1.png", "map-start.position.1-fl_che-2.png",
+        "map-start.position.1-fl_che.png", "map-start.position.1-start.position.1.png",
+    ]  # fmt: skip
+    text = (tmp_path / "page" / "summary.html").read_text()
+    for name in names:
+        assert text.count(f'id="figure-{Path(name).stem}"') == 1
+
+
 def test_rows_that_no_flight_made_are_read_or_refused(tmp_path: Path) -> None:
     """Parts forged so that all digests fit: none of these may raise anything else."""
     filled(tmp_path / "c", samples=20, parts=1, size=40)

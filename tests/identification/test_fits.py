@@ -168,6 +168,7 @@ def test_intervals_of_synthetic_sets_cover() -> None:
 def test_files_of_a_fit_say_what_was_found(arq: FitResult, tmp_path: Path) -> None:
     path = tmp_path / "identified.toml"
     path.write_text(overlay_text(arq), encoding="utf-8")
+    assert f'# N/m^1.5; learned\n"{STIFFNESS}" = ' in path.read_text(encoding="utf-8")
     words = dict(word.split("=") for word in overlay_words(path))
     for one in arq.estimates:
         assert float(words[one.unknown.name]) == one.value

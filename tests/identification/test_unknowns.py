@@ -39,6 +39,12 @@ def test_shares_and_absolute_doubts_are_one_deviation(scenario: Scenario) -> Non
     assert field_unknown("vehicle.body.mass", "± 10 g", "known", scenario).deviation == 0.01
 
 
+def test_a_stiffness_of_a_surface_may_have_its_unit_or_none(scenario: Scenario) -> None:
+    for text in ("200 kN/m^1.5 +- 3 kN/m^1.5", "2e5 +- 3e3", "2e5 +- 3 kN/m^1.5"):
+        one = field_unknown(STIFFNESS, text, "known", scenario)
+        assert (one.unit, one.centre, one.deviation) == ("N/m^1.5", 2e5, 3e3)
+
+
 def test_values_go_where_they_belong_and_nowhere_else(scenario: Scenario) -> None:
     fields = [
         field_unknown(STIFFNESS, "factor 5", "free", scenario),

@@ -62,6 +62,29 @@ def test_numbers_are_found_where_they_are_and_where_they_would_be() -> None:
 
 
 @pytest.mark.parametrize(
+    ("law", "unit"),
+    [
+        ({"law": "kelvin-voigt", "stiffness": 5e3, "viscosity": 1.0}, "N/m"),
+        ({"law": "hertz", "exponent": 1.0}, "N/m"), ({"law": "hertz"}, "N/m^1.5"),
+        ({"law": "hertz", "exponent": 2}, "N/m^2"), ("wall", "N/m^1.5"),
+    ],
+)  # fmt: skip
+def test_a_stiffness_has_the_unit_of_its_law(law: object, unit: str) -> None:
+    wall = {"type": "wall", "distance": 1.0, "surface": law}
+    scenario = scenario_from({
+        "vehicle": "arq", "start": {"position": [0, 0, 1]}, "world": {"obstacles": [wall]},
+    })  # fmt: skip
+    path = ("world", "obstacles", 0, "surface", "stiffness")
+    found = number_at("k", path, scenario, ())
+    assert found is not None
+    assert (found.unit, found.by_law) == (unit, True)
+    assert found.read(f"3 k{unit}") == found.read("3000") == 3000.0
+    friction = number_at("mu", (*path[:-1], "friction"), scenario, ())
+    assert friction is not None
+    assert (friction.unit, friction.by_law) == ("", False)
+
+
+@pytest.mark.parametrize(
     ("path", "said"),
     [
         (("start", "yow"), "did you mean yaw?"),

@@ -248,3 +248,20 @@ def test_a_bad_position_is_one_problem_although_a_run_up_begins_there() -> None:
         as_scenario(RUN_UP, ('start.position=[0, 0, "3 kg"]',))
     [problem] = caught.value.problems
     assert "start.position: has the wrong unit (got '3 kg')" in problem
+
+
+def test_suction_without_a_wall_is_warned_of() -> None:
+    ground = {"type": "ground", "surface": "wall"}
+    wall = {"type": "wall", "distance": 3.0, "surface": "wall"}
+    said = "wall_suction: there is no wall that could draw a rotor, as the scenario has no obsta"
+    for suction, obstacles, count in (
+        (0.09, [], 1), (0.09, [ground], 1), (0.09, [ground, wall], 0), (0.0, [ground], 0),
+    ):  # fmt: skip
+        effect = {"wall_suction": suction}
+        given = {
+            "vehicle": {"preset": "arq", "propulsion": {"surface_effect": effect}},
+            "start": {"position": [0, 0, 1]}, "world": {"obstacles": obstacles},
+        }  # fmt: skip
+        found = scenario_warnings(as_scenario(given))
+        assert len(found) == count
+        assert all(said in line for line in found)

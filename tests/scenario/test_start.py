@@ -159,7 +159,10 @@ BAD: dict[str, tuple[dict[str, Any], str]] = {
     "three": ({"quaternion": [1, 0, 0]}, r"quaternion: must be four plain numbers"),
     "length": ({"quaternion": [1, 0, 0, 0.1]}, r"quaternion: must be of length 1 .*1\.00499"),
     "zero": ({"quaternion": [0, 0, 0, 0]}, r"quaternion: must be of length 1"),
-    "both": ({"quaternion": [1, 0, 0, 0], "yaw": 0.1}, r"cannot be combined with a yaw .*0\.1 rad"),
+    "both": (
+        {"quaternion": [1, 0, 0, 0], "yaw": 0.1},
+        r"cannot be combined with a yaw .*0\.1 rad.*5\.72958 deg",
+    ),
 }
 
 

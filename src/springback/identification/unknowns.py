@@ -178,7 +178,8 @@ def _prior(field: Parameter, text: str, current: float | None) -> tuple[float, f
         share = number_in(uncertainty, "")
         _positive(field, centre, text)
         return math.log(centre), share, True
-    return centre, number_in(uncertainty, field.unit, bare=not field.unit), False
+    bare = field.by_law or not field.unit
+    return centre, number_in(uncertainty, field.unit, bare=bare), False
 
 
 def _centre(field: Parameter, text: str, current: float | None) -> float:

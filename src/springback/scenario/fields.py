@@ -18,6 +18,7 @@ from springback.errors import InputError
 from springback.problems import dotted_path, nearest_name
 from springback.quantities import PerArm, Quadruple, Triple, Unit, number_in, si_number
 from springback.settings import Settings
+from springback.vehicle.force_laws import HystereticSettings
 
 Path = tuple[str | int, ...]
 
@@ -127,6 +128,8 @@ class Parameter:
     """True if it must be an integer."""
     others: tuple[float, ...] = ()
     """All numbers of the vector that this is a component of, if any."""
+    by_law: bool = False
+    """True if a law decides the unit, so that texts without one are accepted everywhere."""
 
     def read(self, text: str) -> float:
         """The SI value of a text such as ``0.1``, ``5 N/mm`` or ``-60deg``."""
@@ -180,6 +183,17 @@ def refuse_unread(path: Path, scenario: Settings, others: Iterable[Path]) -> Non
         )
 
 
+def _unit_by_law(path: Path, holder: Any) -> str:
+    """Unit of the stiffness of a surface, N/mⁿ by its law; empty for other plain numbers."""
+    kind = holder if isinstance(holder, type) else type(holder)
+    if path[-1] != "stiffness" or not issubclass(kind, HystereticSettings):
+        return ""
+    is_linear = getattr(holder, "law", None) in ("kelvin-voigt", "foam")
+    declared = fields_of(kind)["exponent"].default
+    n = 1.0 if is_linear else getattr(holder, "exponent", declared)
+    return "N/m" if n == 1.0 else f"N/m^{n:g}"
+
+
 def number_at(
     name: str, path: Path, scenario: Settings, known: tuple[str, ...]
 ) -> Parameter | None:
@@ -198,6 +212,7 @@ def number_at(
     """
     field: TableField | None = None
     node: Any = scenario
+    holder: Any = scenario
     others: tuple[Any, ...] = ()
     for depth, key in enumerate(path):
         if isinstance(key, int):
@@ -224,7 +239,7 @@ def number_at(
                 )
             hint = f"did you mean {near}?" if near else f"known here: {', '.join(fields)}"
             raise InputError(f"{name}: unknown parameter {key!r}; {hint}")
-        field, others = fields[key], ()
+        field, others, holder = fields[key], (), node
         node = field.default if isinstance(node, type) else getattr(node, key)
         node = field.table if node is None else node
     if field is None or any(not isinstance(entry, float | int) for entry in others):
@@ -233,6 +248,7 @@ def number_at(
     for leaf, notes in field.leaves:
         unit = next((note.unit for note in notes if isinstance(note, Unit)), None)
         if unit is not None and (leaf is float or (inside and get_origin(leaf) is tuple)):
-            return Parameter(name, path, unit, False, others)
+            by_law = "" if unit else _unit_by_law(path, holder)
+            return Parameter(name, path, unit or by_law, False, others, bool(by_law))
     whole = any(leaf is int for leaf, _ in field.leaves)
     return Parameter(name, path, "", True, others) if whole else None

@@ -14,51 +14,12 @@ from pydantic_core import PydanticCustomError
 from springback.errors import InputError, excerpt
 from springback.problems import dotted_path, key_path, problem_paths
 from springback.scenario.code_files import with_absolute_names
+from springback.scenario.key_lines import Key, line_of
 from springback.scenario.overrides import apply_overrides
 from springback.scenario.presets import is_vehicle_file
 from springback.scenario.scenario import Scenario, expand_presets
 from springback.scenario.source_text import source_text, toml_tables
 from springback.vehicle.parameters import Vehicle
-
-Key = str | int
-#: Lines of a file, and characters of a line, that are searched for the one at fault (chosen).
-MOST_LINES, LONGEST_LINE = 20_000, 500
-
-
-def line_of(text: str, path: Sequence[Key]) -> int | None:
-    """Line of the most specific mention of a key path in a TOML text; None if there is none.
-
-    TOML parsers return no positions, so this follows table headers and keys; inline tables and
-    dotted keys count as their first line.
-    """
-    counts: dict[str, int] = {}
-    table: list[Key] = []
-    best, best_length = None, 0
-    for number, line in enumerate(text.splitlines()[:MOST_LINES], start=1):
-        if len(line) > LONGEST_LINE:
-            continue
-        header = re.match(r"\s*(\[\[?)\s*([^\[\]]+?)\s*\]\]?\s*(#.*)?$", line)
-        key = re.match(r"\s*([A-Za-z0-9_.\"'-]+)\s*=", line)
-        if header:
-            name = header.group(2)
-            table = list(key_path(name))
-            if header.group(1) == "[[":
-                counts[name] = counts.get(name, -1) + 1
-                table = [*table, counts[name]]
-            else:
-                for owner, index in counts.items():
-                    stem = list(key_path(owner))
-                    if table[: len(stem)] == stem:
-                        table = [*stem, index, *table[len(stem) :]]
-            here = table
-        elif key:
-            here = [*table, *key_path(key.group(1).replace('"', "").replace("'", ""))]
-        else:
-            continue
-        if list(path[: len(here)]) == here and len(here) > best_length:
-            best, best_length = number, len(here)
-    return best
-
 
 #: An obstacle that a problem of another key names.
 _NAMED = re.compile(r"world\.obstacles\[\d+\]")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal, Self
@@ -117,7 +118,8 @@ class Start(Settings):
             return self
         for name in ("roll", "pitch", "yaw"):
             if (angle := getattr(self, name)) != 0.0:
-                raise problem(f"cannot be combined with a {name} (got {angle:g} rad)", "quaternion")
+                given = f"{angle:g} rad, which is {math.degrees(angle):.6g} deg"
+                raise problem(f"cannot be combined with a {name} (got {given})", "quaternion")
         self.attitude()
         return self
 

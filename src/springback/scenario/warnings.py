@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from springback.contact.parameters import PLANES
+from springback.contact.parameters import PLANES, Ground
 from springback.contact.worlds import surfaces_of
 from springback.control.demands import Demands, Limits, shortfalls
 from springback.control.linear import warnings_for
@@ -50,6 +50,7 @@ def scenario_warnings(scenario: Scenario, *, own: bool = False) -> list[str]:
     """
     found = _unrepresented(scenario) + _curved(scenario)
     found += mesh_warnings(scenario.world.obstacles) + _overdamped(scenario)
+    found += _nothing_beside(scenario)
     found += _warnings_of_the_pilot(scenario, own, scenario.model_fields_set)
     if scenario.second is not None:
         other, given = scenario.beside(), scenario.second.model_fields_set
@@ -92,6 +93,21 @@ def _overdamped(scenario: ScenarioTables) -> list[str]:
                 f"by some {viscosity / mass:.3g} m/s² for each m/s, and peaks say no more than that"
             ]
     return []
+
+
+def _nothing_beside(scenario: ScenarioTables) -> list[str]:
+    """Suction by walls where nothing is upright."""
+    propulsion, world = scenario.vehicle.propulsion, scenario.world
+    effects = () if propulsion is None else propulsion.effect()
+    if not any(effect.suction > 0.0 for effect in effects) or scenario.second is not None:
+        return []
+    if not all(isinstance(entry, Ground) for entry in world.obstacles):
+        return []
+    there = "no obstacle but level ground" if world.obstacles else "no obstacles"
+    return [
+        "vehicle.propulsion.surface_effect.wall_suction: there is no wall that could draw a rotor, "
+        f"as the scenario has {there}"
+    ]
 
 
 def _unrepresented(scenario: ScenarioTables) -> list[str]:

@@ -24,6 +24,7 @@ from springback.interfaces.animation.frame import Frame
 from springback.interfaces.cli.app import cli
 from springback.interfaces.output.folders import output_folder
 from springback.interfaces.replay.geometry import Drawable
+from springback.interfaces.replay.hull_meshes import hull_meshes
 from springback.interfaces.replay.scene import Scene, scene_of
 from springback.interfaces.replay.shape_meshes import mesh_of
 from springback.interfaces.replay.tracks import turned_by
@@ -263,6 +264,38 @@ def test_a_picture_changes_where_something_moves_and_nowhere_else(scene: Scene) 
     assert not np.array_equal(first, other)
     foot = slice(int(360 * 0.97), None)  # below the curve
     assert np.array_equal(first[foot], other[foot])
+
+
+def test_the_acceleration_is_drawn_over_the_whole_film(scene: Scene) -> None:
+    for begin, end in ((None, None), (-0.02, 0.1)):
+        when = timing.timing([scene], slow=20.0, fps=25.0, begin=begin, end=end)
+        picture = Frame([scene], when, SMALL)
+        assert picture.curve.ax.get_xlim() == pytest.approx((1e3 * when.begin, 1e3 * when.end))
+        picture.at(len(when.t) - 1)
+        line, dot, _, _ = picture.curve.curves[0]
+        now = float(np.asarray(dot.get_xdata())[0])
+        assert now == np.asarray(line.get_xdata())[-1] == pytest.approx(1e3 * when.t[-1])
+        assert now >= 1e3 * (when.end - (when.t[-1] - when.t[-2]))
+
+
+@pytest.mark.parametrize("corner", [0.0, 0.1], ids=["ball", "rounded box"])
+def test_round_hulls_are_drawn_round(corner: float) -> None:
+    """Seen from anywhere an outline is beside the true one by a 200th of its radius at most."""
+    low, high = np.array([-corner, -corner, -0.5 * corner]), np.array([corner, 0.0, corner])
+    points = [np.where([k & 1, k & 2, k & 4], high, low) for k in range(8 if corner else 1)]
+    hull: dict[str, Any] = {
+        "type": "points",
+        "points": [point.tolist() for point in points],
+        "radius": 0.1,
+    }
+    if not corner:
+        hull = {"type": "sphere", "position": [0, 0, 0], "radius": 0.1}
+    vehicle = scenario_from({"vehicle": {"preset": "arq", "hulls": [hull]}}).vehicle
+    (mesh,) = hull_meshes(vehicle, "body")
+    for way in np.random.default_rng(1).normal(size=(200, 3)):
+        way /= np.linalg.norm(way)
+        true = max(float(point @ way) for point in points) + 0.1
+        assert true - 5e-4 <= float((mesh.vertices @ way).max()) <= true + 1e-12
 
 
 # -- timing

@@ -41,6 +41,34 @@ def test_a_plan_shows_its_flights_and_the_numbers_of_each_robot() -> None:
     assert masses == pytest.approx([1.404, 1.214])
 
 
+def test_values_of_a_plan_are_in_the_units_of_its_file(tmp_path: Path) -> None:
+    shutil.copy(EXAMPLES / "arq_wall.toml", tmp_path)
+    fields = {
+        "start.pitch": 'from = "-30 deg"\nto = "30 deg"', "start.roll": "from = -0.1\nto = 0.1",
+        "start.angular_velocity.0": 'from = "0 deg/s"\nto = "90 deg/s"',
+        "start.yaw": 'values = ["0 deg", "22.5 deg"]',
+        "start.position.1": 'normal = { deviation = "5 mm" }',
+        "start.position.2": "from = 1\nto = 2", "surface": 'values = ["wall", "mat"]',
+    }  # fmt: skip
+    varied = "".join(f'[[vary]]\nfield = "{name}"\n{law}\n' for name, law in fields.items())
+    plan = 'scenario = "arq_wall.toml"\nmethod = "random"\nsamples = 2\nscatter = "trials"\n'
+    (tmp_path / "plan.toml").write_text(plan + varied)
+    done = check(str(tmp_path / "plan.toml"))
+    shown = dict(line.split("  ", 1) for line in done.stdout.splitlines() if "  " in line)
+    wanted = {
+        "start.pitch": "-30 to 30 deg", "start.roll": "-5.72958 to 5.72958 deg",
+        "start.angular_velocity[0]": "0 to 90 deg/s", "yaw": "0, 22.5 deg (2 values)",
+        "start.position[1]": "normal, mean 0 mm, deviation 5 mm, added to its own",
+        "start.position[2]": "1 to 2 m", "surface": "wall, mat (2 values)",
+        "scatter_heading": "normal, mean 0 deg, deviation 2 deg, added to its own",
+    }  # fmt: skip
+    assert {name: shown[name].strip() for name in wanted} == wanted
+    data = json.loads(check(str(tmp_path / "plan.toml"), "--json", "--quiet").stdout)
+    assert [(one["values"], one["unit"]) for one in data["fields"][:3]] == [
+        ("-30 to 30", "deg"), ("-5.72958 to 5.72958", "deg"), ("0 to 90", "deg/s"),
+    ]  # fmt: skip
+
+
 def test_what_flying_would_refuse_is_refused(tmp_path: Path) -> None:
     for name in ("own_campaign.toml", "own_vehicle.toml"):
         shutil.copy(EXAMPLES / name, tmp_path)

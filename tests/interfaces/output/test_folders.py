@@ -16,7 +16,7 @@ import pytest
 from builders.interrupts import heed_interrupts
 from springback.errors import InputError
 from springback.interfaces.output import folders
-from springback.interfaces.output.folders import output_folder
+from springback.interfaces.output.folders import file_stem, output_folder
 from springback.interfaces.reports.flight_files import FLIGHT_FILES
 
 MINE = ("summary.json", "trajectory.parquet")
@@ -275,3 +275,19 @@ def test_ctrl_c_that_python_drops_is_raised_again() -> None:
     )
     done = ended(body, timeout=60, preexec_fn=heed_interrupts)
     assert (done.returncode, done.stderr) == (130, "interrupted; nothing was written\n")
+
+
+def test_files_are_named_plainly_and_once() -> None:
+    taken = {"map-speed-surface"}
+    named = [
+        file_stem(*names, taken=taken)
+        for names in (
+            ("map", "vehicle.arms[0].stiffness", "world.obstacles[12].yaw"), ("map", "v", "a[0]"),
+            ("map", "v", "a.0"), ("map", "v", "A[0]"), ("map", "Speed", "surface"), ("ä/b c",),
+        )
+    ]  # fmt: skip
+    assert named == [
+        "map-vehicle.arms.0.stiffness-world.obstacles.12.yaw", "map-v-a.0", "map-v-a.0-2",
+        "map-v-A.0-3", "map-Speed-surface-2", "_b_c",
+    ]  # fmt: skip
+    assert taken >= {name.lower() for name in named}

@@ -14,17 +14,23 @@ from springback.campaign.access import Campaign
 from springback.campaign.analysis.statistics import summary
 from springback.campaign.design.layout import lay_out
 from springback.campaign.store import open_store
-from springback.interfaces.output.no_contact import untouched_flight, untouched_line
+from springback.interfaces.output.no_contact import (
+    idle_suction,
+    pressing_line,
+    untouched_flight,
+    untouched_line,
+)
 from springback.interfaces.reports.campaign import summary_text, write_summary
 
 SHORT = {**THROW, "simulation": {"duration": 0.01}}
 
 
-def _campaign(folder: Path, untouched: int, **given: Any) -> Campaign:
-    """A campaign of 20 flights, some of which touch nothing and fail."""
+def _campaign(folder: Path, untouched: int, pressing: int = 0, **given: Any) -> Campaign:
+    """A campaign of 20 flights, the first of which touch nothing, and the last still press."""
     design = lay_out(plan(samples=20, **given))
     columns = rows(design, 0, 20)
     columns["outcome"] = ["no_contact" if k < untouched else "separated" for k in range(20)]
+    columns["outcome"][20 - pressing :] = ["in_contact"] * pressing
     columns["problem"] = [""] * 20
     with open_store(folder, design, resume=False) as store:
         store.add(0, 20, columns)
@@ -33,8 +39,10 @@ def _campaign(folder: Path, untouched: int, **given: Any) -> Campaign:
 
 def test_a_flight_past_its_obstacle_says_what_to_change() -> None:
     line = untouched_flight(fly(SHORT, executor="python"))
+    away = fly(SHORT, executor="python").gap(0).min()
     assert line.startswith(
-        "nothing was touched (no_contact): start nearer to an obstacle (start.pos"
+        f"nothing was touched (no_contact): world.obstacles[0] was nearest, {away:.3g} m away at "
+        "0.01 s, the end; start nearer to an obstacle (start.pos"
     )
     assert "simulation.duration" in line
     assert "start.touch_distance" in line
@@ -43,6 +51,49 @@ def test_a_flight_past_its_obstacle_says_what_to_change() -> None:
     assert untouched_flight(fly(free, executor="python")) == ""
     touching = {**SHORT, "start": {**THROW["start"], "touch_distance": 0.001}}
     assert untouched_flight(fly(touching, executor="python")) == ""
+
+
+BALL = {
+    "type": "sphere", "position": [1.0, 0.6, 1.0], "radius": 0.1, "surface": "wall",
+    "motion": {"type": "free", "mass": 1.0, "velocity": [-4.0, 0.0, 1.0]},
+}  # fmt: skip
+
+
+def _passed_by(duration: float, **given: Any) -> Any:
+    """A flight of a vehicle that falls from rest beside a ball that is thrown past it."""
+    return fly({
+        "vehicle": "arq", "start": {"position": [0, 0, 1]}, "simulation": {"duration": duration},
+        "world": {"obstacles": [{"type": "ground", "height": -5.0, "surface": "wall"}, BALL]},
+        **given,
+    })  # fmt: skip
+
+
+def test_a_ball_that_misses_says_how_near_it_came_and_what_to_change() -> None:
+    flight = _passed_by(0.4)
+    away = flight.gap(1).min(axis=1)
+    at = int(away.argmin())
+    assert 0 < at < len(away) - 1
+    assert untouched_flight(flight) == (
+        f"nothing was touched (no_contact): world.obstacles[1] was nearest, {away[at]:.3g} m away "
+        f"at {flight.t[at]:.3g} s; change where it starts (world.obstacles[1].position), how it "
+        "moves (world.obstacles[1].motion.velocity) or where the vehicle is (start.position), or "
+        "fly longer (simulation.duration)"
+    )
+    assert "s, the end; fly longer (simulation.duration), or" in untouched_flight(_passed_by(0.1))
+
+
+def test_a_wall_that_stays_beyond_its_reach_is_told_of() -> None:
+    vehicle = {"preset": "arq", "propulsion": {"surface_effect": {"wall_suction": 0.09}}}
+    far = {**SHORT, "vehicle": vehicle, "start": {"position": [0.0, 0.0, 1.0]}, "thrust": 0.0}
+    flight = fly(far, executor="python")
+    away = flight.gap(0).min()
+    assert idle_suction(flight).endswith(
+        "did nothing: it reaches 0.254 m (wall_reach), and world.obstacles[0], the nearest but for "
+        f"the ground, came no nearer than {away:.3g} m"
+    )
+    assert idle_suction(fly({**far, "vehicle": "arq"}, executor="python")) == ""
+    near = {**far, "start": {"position": [0.5, 0.0, 1.0]}}
+    assert idle_suction(fly(near, executor="python")) == ""
 
 
 def test_a_campaign_most_of_whose_flights_touch_nothing_says_so(tmp_path: Path) -> None:
@@ -63,3 +114,18 @@ def test_one_whose_flights_succeed_so_says_nothing(tmp_path: Path) -> None:
     """As through a window: not to touch it is what is wanted."""
     found = _campaign(tmp_path / "won", 15, success="outcome = 'no_contact'")
     assert untouched_line(found) == ""
+
+
+def test_successes_that_end_in_contact_are_told_of(tmp_path: Path) -> None:
+    found = _campaign(tmp_path / "rows", 2, 5)
+    assert found.query("SELECT sum(success) FROM flights").rows == [(20,)]
+    line = pressing_line(found)
+    assert line.startswith("5 of 20 successes ended in contact with an obstacle (in_contact), ")
+    assert line in summary_text(summary(found)).splitlines()
+    write_summary(summary(found), tmp_path)
+    assert "5 of 20 successes ended in contact" in (tmp_path / "summary.html").read_text("utf-8")
+    assert pressing_line(_campaign(tmp_path / "none", 2)) == ""
+    rule = ["separated or no_contact"]
+    strict = _campaign(tmp_path / "strict", 2, 5, success=rule)
+    assert strict.query("SELECT sum(success) FROM flights").rows == [(15,)]
+    assert pressing_line(strict) == ""

@@ -130,11 +130,10 @@ def posterior_dimensions(
         if number is None or number.whole or goal.relative:
             blame(("posterior",), f"{name}: is no number that a posterior can have")
             continue
-        if units.get(name, number.unit) != number.unit:
+        if (units.get(name) or number.unit) != number.unit:
             blame(
                 ("posterior",),
-                f"{name}: is in {units[name] or 'no unit'}, the scenario's in "
-                f"{number.unit or 'no unit'}",
+                f"{name}: is in {units[name]}, the scenario's in {number.unit or 'no unit'}",
             )
             continue
         law, table = PosteriorColumn(draws), str(goal.path[0])

@@ -237,8 +237,7 @@ class _Curve:
         """
         timing, unit = picture.timing, picture.unit
         self.ax = picture.figure.add_axes((0.105, 0.095, 0.875, CURVE - 0.125))
-        spans = timing.slow or ((timing.begin, timing.end),)
-        begin, end = max(spans[0][0], timing.begin), min(spans[0][1], timing.end)
+        begin, end = timing.begin, timing.end
         self.curves: list[tuple[Line2D, Line2D, Array, Array]] = []
         self.moving: list[Artist] = [self.ax.axvline(begin, color=GREY, lw=0.9 * unit)]
         top = 1.0

@@ -13,7 +13,6 @@ from springback.interfaces.cli.common import Terminal, say, terminal_options
 from springback.interfaces.cli.completion import complete_checked, complete_setting
 
 if TYPE_CHECKING:
-    from springback.campaign.design.dimensions import Dimension
     from springback.scenario.scenario import Scenario
     from springback.studies.pilot_check import Finding
 
@@ -148,21 +147,29 @@ def _check_plan(path: Path, overrides: Sequence[str], terminal: Terminal) -> Non
     from springback.campaign.design.plan import read_plan
     from springback.campaign.limits_check import unmet_limits
     from springback.campaign.plan_check import check_conditions
+    from springback.interfaces.output.dimension_text import dimension_units, law_text
     from springback.scenario.scenario import scenario_from
 
     with terminal.spinner("reading the plan"):
         plan, source = read_plan(path, overrides)
         design = lay_out(plan, source)
         check_conditions(design, source)
+    units = dimension_units(design)
     fields = [
-        {"column": one.column, "unit": one.unit, "values": _law_text(one), "scatter": one.scatter}
-        for one in design.dimensions
-    ]
+        {
+            "column": one.column, "unit": unit.symbol, "values": law_text(one, unit.factor),
+            "scatter": one.scatter,
+        }
+        for one, unit in zip(design.dimensions, units, strict=True)
+    ]  # fmt: skip
     counts = {"flights": design.flights, "samples": design.samples, "repeats": plan.repeats}
     data: dict[str, Any] = {"kind": "plan", **counts, "success": design.success, "fields": fields}
     text = [f"{name:<8}  {count}" for name, count in counts.items()]
     text += [f"success   {design.rule}", ""]
-    text += [f"{one['column']:<24}  {one['values']} {one['unit']}".rstrip() for one in fields]
+    text += [
+        f"{one.column:<24}  {law_text(one, unit.factor, unit.symbol)}"
+        for one, unit in zip(design.dimensions, units, strict=True)
+    ]
     warnings = list[str]()
     for robot, base in zip(design.robots, design.bases, strict=True):
         numbers, found = _findings(scenario_from(base))
@@ -172,34 +179,6 @@ def _check_plan(path: Path, overrides: Sequence[str], terminal: Terminal) -> Non
     warnings += unmet_limits(design)
     terminal.print(data, "\n".join(text))
     _conclude(f"{path} can be flown", warnings, terminal)
-
-
-def _law_text(one: Dimension) -> str:
-    """Values of a dimension in words."""
-    from springback.campaign.design.distributions import (
-        LevelSet,
-        NormalDistribution,
-        NormalFactor,
-        PosteriorColumn,
-        UniformDistribution,
-    )
-
-    law, factor = one.law, " times its own" if one.factor else ""
-    if isinstance(law, LevelSet):
-        shown = [f"{v:.6g}" if isinstance(v, float) else str(v) for v in law.values]
-        few = shown if len(shown) <= 8 else [*shown[:3], "...", *shown[-2:]]
-        return f"{', '.join(few)} ({len(shown)} values)"
-    if isinstance(law, PosteriorColumn):
-        low, high = min(law.draws), max(law.draws)
-        return f"{low:.6g} to {high:.6g}, {len(law.draws)} rows of a posterior"
-    if isinstance(law, UniformDistribution):
-        spacing = " (logarithmic)" if law.logarithmic else ""
-        return f"{law.first:.6g} to {law.last:.6g}{factor}{spacing}"
-    if isinstance(law, NormalDistribution):
-        added = " added to its own" if one.own or one.scatter else ""
-        return f"normal, mean {law.mean:.6g}, deviation {law.deviation:.6g}{added}"
-    assert isinstance(law, NormalFactor)
-    return f"normal, deviation {law.deviation:.6g}, times its own"
 
 
 # -- code of the user's own -----------------------------------------------------------------------

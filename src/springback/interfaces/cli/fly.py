@@ -90,7 +90,7 @@ def fly(
     """
     from springback.identification.results_files import overlay_words
     from springback.interfaces.output.folders import SUMMARY
-    from springback.interfaces.output.no_contact import untouched_flight
+    from springback.interfaces.output.no_contact import idle_suction, untouched_flight
     from springback.interfaces.reports.flight_files import FLIGHT_FILES, write_flight
     from springback.results.flight import fly as fly_scenario
     from springback.scenario.files import as_input, read_scenario
@@ -123,7 +123,7 @@ def fly(
         summary = (folder / SUMMARY).read_text(encoding="utf-8")
     flights = [one for one in (flight, flight.second) if one is not None]
     output.print(json.loads(summary), "\n".join(map(repr, flights)))
-    if line := untouched_flight(flight, own is not None):
+    for line in filter(None, (untouched_flight(flight, own is not None), idle_suction(flight))):
         output.note(line)
     output.note_written(written)
     for sentence in (line for one in flights for line in one.remarks.values()):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import itertools
 import os
 import re
 import secrets
@@ -23,6 +24,24 @@ DRAFT = ".springback-draft"
 YOUNG = 10.0
 #: File without which a folder is not a result.
 SUMMARY = "summary.json"
+#: Index of an entry, and characters that file names here do not have.
+_INDEX, _UNUSUAL = re.compile(r"\[(\w*)\]"), re.compile(r"[^A-Za-z0-9._-]+")
+
+
+def file_stem(*names: str, taken: set[str]) -> str:
+    """Name for files of what has some names, of letters, digits, points and dashes only.
+
+    An entry of a list, ``arms[0]``, goes by its number, ``arms.0``.
+
+    Args:
+        names: Such as paths of fields.
+        taken: Stems of other files, in small letters; the new one is added.
+    """
+    plain = _UNUSUAL.sub("_", _INDEX.sub(r".\1", "-".join(names)))
+    numbered = (plain if k < 2 else f"{plain}-{k}" for k in itertools.count(1))
+    stem = next(one for one in numbered if one.lower() not in taken)
+    taken.add(stem.lower())
+    return stem
 
 
 def _existing_ancestor(folder: Path) -> Path:

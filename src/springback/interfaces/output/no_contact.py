@@ -1,9 +1,12 @@
-"""A line on flights that touch nothing, where there is something to touch: what to change."""
+"""Lines on flights that touch nothing, or that end in contact: what to change."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+import math
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from springback.errors import InputError
 
 if TYPE_CHECKING:
     from springback.campaign.access import Campaign
@@ -16,6 +19,53 @@ _TO_CHANGE = {
     f"{_LONGER}; start.touch_distance = 0 begins at the first touch",
 }
 """By whether a pilot flies."""
+_WAYS = {
+    "constant": "velocity", "free": "velocity", "sine": "amplitude", "table": "position",
+    "pendulum": "angular_velocity", "hinge": "turning",
+}  # fmt: skip
+"""What decides where an obstacle moves to, by the type of its motion."""
+#: Most obstacles whose distances are asked for, and instants of a flight at which (chosen: 1 s).
+MOST_ASKED, MOST_INSTANTS = 8, 50_000
+
+
+class NearestApproach(NamedTuple):
+    """The smallest distance between a vehicle and obstacles during a flight."""
+
+    obstacle: int
+    """Its index in the scenario."""
+    distance: float
+    """Negative in penetration [m]."""
+    time: float
+    """[s]."""
+    is_last: bool
+    """True if it is that at the end of the flight: they are still coming nearer."""
+
+
+def nearest_approach(flight: Flight, among: Iterable[int]) -> NearestApproach | None:
+    """The smallest distance of a flight's cages and hull from obstacles.
+
+    Args:
+        flight: Any.
+        among: Indices of built-in obstacles; those of the user's own count as unknown.
+
+    Returns:
+        None if it is unknown: the flight has no trajectory, or too much is asked for.
+    """
+    asked = list(among)
+    if not 0 < len(asked) <= MOST_ASKED or len(flight.t) > MOST_INSTANTS:
+        return None
+    kinds = [entry.type for entry in flight.scenario.world.obstacles]
+    found = []
+    for k in asked:
+        if kinds[k] == "own":
+            return None
+        try:
+            gaps = flight.gap(k - kinds[:k].count("own")).min(axis=1)
+        except InputError:  # it was flown without a trajectory
+            return None
+        at = int(gaps.argmin())
+        found.append(NearestApproach(k, float(gaps[at]), float(flight.t[at]), at == len(gaps) - 1))
+    return min(found, key=lambda one: one.distance)
 
 
 def untouched_flight(flight: Flight, own: bool = False) -> str:
@@ -28,8 +78,55 @@ def untouched_flight(flight: Flight, own: bool = False) -> str:
     s = flight.scenario
     if flight.outcome.word != "no_contact" or not _can_touch(s.model_dump(include=_ASKED)):
         return ""
-    piloted = own or s.reference is not None or s.pilot is not None
-    return f"nothing was touched (no_contact): {_TO_CHANGE[piloted]}"
+    entries = s.world.obstacles
+    solid = [k for k, entry in enumerate(entries) if entry.type != "ground"]
+    moving = [k for k in solid if getattr(entries[k], "motion", None) is not None]
+    near = nearest_approach(flight, moving or solid)
+    said, advice = "", _TO_CHANGE[own or s.reference is not None or s.pilot is not None]
+    if near is not None:
+        said = (
+            f"world.obstacles[{near.obstacle}] was nearest, {near.distance:.3g} m away at "
+            f"{near.time:.3g} s{', the end' if near.is_last else ''}; "
+        )
+    if moving:
+        at = moving[0] if near is None else near.obstacle
+        advice = _to_move(at, entries[at], near is not None and near.is_last)
+    return f"nothing was touched (no_contact): {said}{advice}"
+
+
+def _to_move(number: int, entry: Any, comes_nearer: bool) -> str:
+    """What to change for an obstacle that moves to meet the vehicle."""
+    path = f"world.obstacles[{number}]"
+    place = "distance" if getattr(entry, "distance", None) is not None else "position"
+    start = f"where it starts ({path}.{place})"
+    way = f"how it moves ({path}.motion.{_WAYS[entry.motion.type]})"
+    if comes_nearer:
+        return f"fly longer (simulation.duration), or change {start} or {way}"
+    return f"change {start}, {way} or where the vehicle is (start.position), {_LONGER}"
+
+
+def idle_suction(flight: Flight) -> str:
+    """Line on a flight whose rotors no wall can have drawn, though walls were to; else empty.
+
+    Only what is known for certain is said: the distance of a disc's middle from an obstacle is at
+    least that of the vehicle, less the disc's height and the radius of the cage around it.
+    """
+    vehicle, s = flight.scenario.vehicle, flight.scenario
+    effects = () if vehicle.propulsion is None else vehicle.propulsion.effect()
+    if not effects or not effects[0].suction > 0.0 or s.second is not None or vehicle.rotors:
+        return ""
+    [effect] = effects
+    solid = [k for k, entry in enumerate(s.world.obstacles) if entry.type != "ground"]
+    near = nearest_approach(flight, solid)
+    arms = range(len(vehicle.arms.directions))
+    inside = max((vehicle.arms.at("cage_radius", k) for k in arms), default=math.inf)
+    if near is None or near.distance - abs(effect.height) - inside <= effect.reach:
+        return ""
+    return (
+        f"vehicle.propulsion.surface_effect.wall_suction did nothing: it reaches "
+        f"{effect.reach:.3g} m (wall_reach), and world.obstacles[{near.obstacle}], the nearest but "
+        f"for the ground, came no nearer than {near.distance:.3g} m"
+    )
 
 
 def untouched_line(campaign: Campaign) -> str:
@@ -48,6 +145,21 @@ def untouched_line(campaign: Campaign) -> str:
     piloted = any(base.get("reference") or base.get("pilot") for base in design.bases)
     return (
         f"{untouched} of {flown} flights touched nothing (no_contact): {_TO_CHANGE[bool(piloted)]}"
+    )
+
+
+def pressing_line(campaign: Campaign) -> str:
+    """Line on flights that end in contact and are successes by the usual rule; else empty."""
+    if campaign.design.plan.success is not None:
+        return ""
+    sql = """SELECT count(*) FILTER (outcome = 'in_contact'), count(*)
+             FROM flights WHERE success = 1"""
+    [(pressing, won)] = campaign.query(sql).rows
+    if not pressing:
+        return ""
+    return (
+        f"{pressing} of {won} successes ended in contact with an obstacle (in_contact), which the "
+        'usual rule allows; success = ["separated or no_contact"] leaves them out'
     )
 
 

@@ -13,8 +13,8 @@ from springback.vehicle.parameters import Vehicle
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Cells = np.ndarray[Any, np.dtype[np.intp]]
 
-#: Chosen: sides of a full circle, directions on a ball, and half the thickness of a ring [m].
-SIDES, TURNS, LEVELS, WIRE = 48, 20, 9, 0.002
+#: Chosen: sides of a full circle, of a ring and on a ball, and half the thickness of a ring [m].
+SIDES, WIRE = 48, 0.002
 
 
 class HullMesh(NamedTuple):
@@ -55,8 +55,8 @@ def mesh_of_hull(form: HullForm) -> HullMesh:
 
 def _directions() -> Array:
     """Unit vectors all around, shape (directions, 3)."""
-    up = np.linspace(-0.5 * np.pi, 0.5 * np.pi, LEVELS)[:, None]
-    round_ = np.linspace(0.0, 2.0 * np.pi, TURNS, endpoint=False)[None, :]
+    up = np.linspace(-0.5 * np.pi, 0.5 * np.pi, SIDES // 2 + 1)[:, None]
+    round_ = np.linspace(0.0, 2.0 * np.pi, SIDES, endpoint=False)[None, :]
     flat = np.cos(up)
     return np.stack(
         [flat * np.cos(round_), flat * np.sin(round_), np.sin(up) + 0.0 * round_], axis=2

@@ -19,7 +19,8 @@ from springback.interfaces.figures import campaign as figures
 from springback.interfaces.figures import measures as measure_figures
 from springback.interfaces.figures import style
 from springback.interfaces.figures.worst_case import worst_case_figure, worst_case_map_figure
-from springback.interfaces.output.no_contact import untouched_line
+from springback.interfaces.output.folders import file_stem
+from springback.interfaces.output.no_contact import pressing_line, untouched_line
 from springback.interfaces.output.robots import robot_label, with_labels
 from springback.interfaces.output.worst_case import answer_lines, answer_table
 from springback.interfaces.reports.measures import MeasureReport
@@ -79,8 +80,9 @@ def write_page(
     """
     flown = sum(one.flights - one.refused for one in found.robots) / len(found.robots)
     count = cells or max(4, min(MOST_CELLS, math.isqrt(int(flown / FLIGHTS_EACH))))
-    drawn = [_pictures(found.campaign, one, pairs, count) for one in reports]
-    limits = [_limit_blocks(one) for one in worst_cases]
+    taken = set[str]()
+    drawn = [_pictures(found.campaign, one, pairs, count, taken) for one in reports]
+    limits = [_limit_blocks(one, taken) for one in worst_cases]
     written = []
     pictured = [block for blocks in (*drawn, *limits) for block in blocks]
     for block in (block for block in pictured if isinstance(block, FigureBlock)):
@@ -107,30 +109,37 @@ def _about(found: Summary) -> dict[str, Any]:
 
 
 def _pictures(
-    campaign: Campaign, one: MeasureReport, pairs: Sequence[tuple[str, str]], cells: int
+    campaign: Campaign,
+    one: MeasureReport,
+    pairs: Sequence[tuple[str, str]],
+    cells: int,
+    taken: set[str],
 ) -> list[FigureBlock]:
-    """Figures of success or a measure: distribution, over each field, sensitivity, maps."""
-    tail, what = ("", "") if one.name == SUCCESS else (f"-{one.name}", _plain(one.name))
+    """Figures of success or a measure: distribution, over each field, sensitivity, maps.
+
+    ``taken`` are names of files, as of `file_stem`.
+    """
+    whose, what = ([], "") if one.name == SUCCESS else ([one.name], _plain(one.name))
     key = "success" if one.name == SUCCESS else "measure"
     blocks = []
 
-    def add(name: str, figure: style.StyledFigure, caption: str, **given: Any) -> None:
+    def add(name: str, figure: style.StyledFigure, caption: str, *of: str, **given: Any) -> None:
         said = WORDS.say(caption, confidence=100 * CONFIDENCE, what=what, **given)
-        blocks.append(FigureBlock(name, said, figure))
+        blocks.append(FigureBlock(file_stem(name, *whose, *of, taken=taken), said, figure))
 
     if one.distribution is not None:
         figure = measure_figures.distribution_figure(one.distribution)
-        add(f"distribution{tail}", figure, "distribution")
+        add("distribution", figure, "distribution")
     if one.marginals:
-        add(f"marginals{tail}", figures.marginals_figure(one.marginals), f"marginals_{key}")
+        add("marginals", figures.marginals_figure(one.marginals), f"marginals_{key}")
     if one.sensitivity.robots:
         figure = measure_figures.sensitivity_figure(one.sensitivity)
-        add(f"sensitivity{tail}", figure, f"sensitivity_{key}")
+        add("sensitivity", figure, f"sensitivity_{key}")
     for x, y in pairs or _usual_pairs(one):
         if one.name in (x, y):
             continue
         figure = figures.field_map_figure(field_map(campaign, x, y, cells, measure=one.name))
-        add(f"map{tail}-{x}-{y}", figure, f"map_{key}", x=_plain(x), y=_plain(y))
+        add("map", figure, f"map_{key}", x, y, x=_plain(x), y=_plain(y))
     return blocks
 
 
@@ -148,8 +157,8 @@ def words_of_map(x: str, y: str) -> str:
     return WORDS.say("map_success", x=_plain(x), y=_plain(y))
 
 
-def _limit_blocks(found: WorstCase | WorstCaseMap) -> Blocks:
-    """Answer, figure and table of a worst case."""
+def _limit_blocks(found: WorstCase | WorstCaseMap, taken: set[str]) -> Blocks:
+    """Answer, figure and table of a worst case; ``taken`` as of `_pictures`."""
     if isinstance(found, WorstCase):
         names, name = [found.field.name], _plain(found.field.name)
         said = WORDS.say("worst_case", field=name, share=100.0 * found.share)
@@ -159,7 +168,7 @@ def _limit_blocks(found: WorstCase | WorstCaseMap) -> Blocks:
         name = _plain(" and ".join(names))
         said = WORDS.say("worst_case_map", fields=name)
         figure = worst_case_map_figure(found)
-    picture = FigureBlock("-".join(["limits", *names]), said, figure)
+    picture = FigureBlock(file_stem("limits", *names, taken=taken), said, figure)
     lines = _entries(*answer_table(found))
     caption = WORDS.say("worst_case_table", field=name)
     numbers = table(caption, [str(word) for word in lines[0]], lines[1:], folded=True)
@@ -206,6 +215,7 @@ def _sections(
             "drawn": _plain("; ".join(drawn_ranges(found.campaign))),
             "refusal": f": {found.refusal}" if found.refusal else "",
             "untouched": _plain(untouched_line(found.campaign)),
+            "pressing": _plain(pressing_line(found.campaign)),
             "pairs": [_plain(pair.sentence()) + "." for pair in found.pairs],
             "first": [pictures[name] for name in ("marginals",) if name in pictures],
         },
