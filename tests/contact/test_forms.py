@@ -13,11 +13,21 @@ import scipy.optimize
 import scipy.spatial
 
 from builders.cases import nonempty
-from builders.forms import ball_file, box_file, cells_file, folder, hills, hills_file
+from builders.forms import (
+    ball_file,
+    box_file,
+    box_triangles,
+    cells_file,
+    folder,
+    hills,
+    hills_file,
+    stl_bytes,
+)
 from springback.contact.cage import Ring, contact_faces, obstacles_in_body_frame
 from springback.contact.grids.distance_grids import spline_values
 from springback.contact.grids.height_maps import height_file
 from springback.contact.grids.measured_shapes import HeightMap, MeshBody, OccupancyGrid
+from springback.contact.grids.mesh_files import Triangles
 from springback.contact.library import WALL
 from springback.contact.nets import Net
 from springback.contact.rings import FAR
@@ -329,6 +339,38 @@ def test_far_from_a_grid_the_distance_is_a_lower_bound_and_continuous(name: str)
             step = chance.normal(size=3) * 1e-7
             assert abs(face(shape, local(shape, q + step))[0] - gap) < 1e-6
     assert beyond > 100
+
+
+@pytest.mark.parametrize("name", ["box", "two boxes"])
+def test_beyond_a_grid_balls_and_other_thick_parts_meet_the_body_itself(name: str) -> None:
+    """Up to half a metre from a small body to 0.1 mm, and normals are gradients to 1e-8, mostly.
+
+    A bound by the grid's box is up to 12 mm too low there: a ball of 0.1 m touched so much early.
+    """
+    half, places = np.array([0.1, 0.1, 0.1]), [np.zeros(3)]
+    if name == "two boxes":  # the nearest place of the grid's box may lead to the other one
+        half, places = np.array([0.05, 0.05, 0.2]), [np.array([0, y, 0]) for y in (-0.2, 0.2)]
+    one = box_triangles(*(2.0 * half).tolist())
+    path, number = folder() / f"{name}.stl", len(one.vertices)
+    vertices = np.concatenate([one.vertices + at for at in places])
+    faces = np.concatenate([one.faces + k * number for k in range(len(places))])
+    path.write_bytes(stl_bytes(Triangles(vertices, faces)))
+    shape = MeshBody(type="mesh", file=str(path), position=(0, 0, 0), surface=WALL)
+    chance, errors, slopes = np.random.default_rng(7), [], []
+    while len(errors) < 200:
+        q = chance.uniform(-0.6, 0.6, size=3)
+        true = min(box_distance(q - at, half) for at in places)
+        if not 0.02 < true < 0.45:
+            continue
+        gap, normal = face(shape, q)
+        errors.append(gap - true)
+        assert np.linalg.norm(normal) == pytest.approx(1.0, abs=0.05)  # 1 beyond the grid
+        steps = 1e-6 * np.eye(3)
+        slope = [(face(shape, q + d)[0] - face(shape, q - d)[0]) / 2e-6 for d in steps]
+        slopes.append(float(np.abs(slope - normal).max()))
+    assert np.abs(errors).max() < (1e-4 if name == "box" else 4e-4)
+    assert np.quantile(np.abs(errors), 0.95) < 5e-5
+    assert np.quantile(slopes, 0.9) < 1e-8
 
 
 def test_occupied_cells_end_at_their_faces() -> None:

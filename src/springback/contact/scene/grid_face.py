@@ -6,8 +6,10 @@ distance there.  Value and gradient are continuous, and the gradient is exactly 
 so the work of a contact is exact, although the distance is not.  M. Unser, "Splines: a perfect
 fit for signal and image processing" (1999).
 
-Beyond the grid's box the distance is a lower bound: the nearest point of the box and the distance
-from there are at right angles or more.
+Beyond the grid's box `grid_face` is a lower bound: the nearest point of the box and the distance
+from there are at right angles or more.  `grid_distance` is the distance there, too: the way to the
+nearest point of the surface enters the box somewhere, and the distance is what is left there and
+the way up to it; any other way through the box is longer.
 """
 
 from __future__ import annotations
@@ -24,6 +26,15 @@ from springback.kernels.vectors import Vec
 #: Numbers at the beginning of a table: nodes along each axis, length of a cell and its reciprocal
 #: [m], [1/m]; then the coefficients, with one more on each side, those along z side by side.
 COUNTS, CELL, PER_CELL, COEFFICIENTS = 0, 3, 4, 5
+#: Distance within which `grid_distance` is no bound [m]: no part is thicker (chosen).
+FARTHEST = 0.5
+#: Most corrections of the place where the way enters the box, by the nearest point of the surface;
+#: and the last of these [m], which is also the step by which slopes are compared (chosen).
+ENTRIES, BESIDE = 30, 1e-6
+#: Most corrections by slopes, and the last one [m] (chosen).
+POLISHES, LAST = 8, 1e-12
+#: Least cosine of the way through a side of the box for which slopes correct it (chosen).
+STEEP = 0.1
 
 
 @kernel
@@ -102,3 +113,156 @@ def grid_face(q: Vec, half: Vec, table: float) -> Face:
         gz = oz if oz != 0.0 else inside * gz
         return Face(length, Vec(gx * inverse, gy * inverse, gz * inverse))
     return Face(gap, Vec(gx, gy, gz))
+
+
+class _Way(NamedTuple):
+    """A way from a point through the box to the surface."""
+
+    entry: Vec  # where it enters the box, or a place inside [m]
+    length: float  # [m]
+    face: Face  # at the entry
+
+
+@kernel
+def _way(q: Vec, entry: Vec, half: Vec, table: float) -> _Way:
+    face, out = grid_face(entry, half, table), q - entry
+    return _Way(entry, math.sqrt(out @ out) + face.gap, face)
+
+
+@kernel
+def _into_box(x: float, half: float) -> float:
+    return half if x > half else (-half if x < -half else x)
+
+
+@kernel
+def _clamped(q: Vec, half: Vec) -> Vec:
+    return Vec(_into_box(q.x, half.x), _into_box(q.y, half.y), _into_box(q.z, half.z))
+
+
+@kernel
+def _entered(x: float, step: float, half: float) -> float:
+    """Share of a step after which a coordinate is between two planes; 0 if it is."""
+    out = x - half if x > half else (x + half if x < -half else 0.0)
+    return -out / step if out * step < 0.0 else 0.0
+
+
+@kernel
+def _entry_towards(q: Vec, foot: Vec, half: Vec) -> Vec:
+    """Where a way from outside to a point in the box enters it."""
+    way = foot - q
+    share = max(
+        _entered(q.x, way.x, half.x), _entered(q.y, way.y, half.y), _entered(q.z, way.z, half.z)
+    )
+    return _clamped(q + way * (share if share < 1.0 else 1.0), half)
+
+
+@kernel
+def _turned(v: Vec, axis: int) -> Vec:
+    """Components from one axis on."""
+    if axis == 0:
+        return v
+    return Vec(v.y, v.z, v.x) if axis == 1 else Vec(v.z, v.x, v.y)
+
+
+@kernel
+def _back(v: Vec, axis: int) -> Vec:
+    return _turned(v, 0 if axis == 0 else 3 - axis)
+
+
+@kernel
+def _side_of(q: Vec, entry: Vec, half: Vec) -> int:
+    """Axis of the side through which a way enters; -1 within the box."""
+    axis, least = -1, 1e-9
+    for k in range(3):
+        at, p, h = _turned(q, k), _turned(entry, k), _turned(half, k)
+        off = at.x - p.x if at.x > p.x else p.x - at.x
+        inside = h.x - p.x if p.x > 0.0 else h.x + p.x
+        if (inside <= 1e-12) & (off > least):
+            axis, least = k, off
+    return axis
+
+
+class _Lean(NamedTuple):
+    """How far a way would go aside if it entered along the slope of the distance [m]."""
+
+    y: float
+    z: float
+
+
+@kernel
+def _lean(off: float, n: Vec) -> _Lean:
+    square = 1.0 - n.y * n.y - n.z * n.z
+    scale = off / math.sqrt(square if square > STEEP * STEEP else STEEP * STEEP)
+    return _Lean(scale * n.y, scale * n.z)
+
+
+@kernel
+def _polished(q: Vec, begin: _Way, half: Vec, table: float) -> _Way:
+    """The shortest way through the side of the box that a way takes: its length is then stationary.
+
+    So the way's direction is the gradient of its length, whatever the grid's errors.
+    """
+    best, axis = begin, _side_of(q, begin.entry, half)
+    at, box = _turned(q, axis), _turned(half, axis)
+    for _ in range(POLISHES if axis >= 0 else 0):
+        p = _turned(best.entry, axis)
+        off = at.x - p.x if at.x > p.x else p.x - at.x
+        here = _lean(off, _turned(best.face.normal, axis))
+        beside_y = grid_face(_back(Vec(p.x, p.y + BESIDE, p.z), axis), half, table)
+        beside_z = grid_face(_back(Vec(p.x, p.y, p.z + BESIDE), axis), half, table)
+        by_y, by_z = (
+            _lean(off, _turned(beside_y.normal, axis)), _lean(off, _turned(beside_z.normal, axis)),
+        )  # fmt: skip
+        yy, zy = 1.0 + (by_y.y - here.y) / BESIDE, (by_y.z - here.z) / BESIDE
+        yz, zz = (by_z.y - here.y) / BESIDE, 1.0 + (by_z.z - here.z) / BESIDE
+        left_y, left_z = p.y - at.y + here.y, p.z - at.z + here.z
+        whole = yy * zz - yz * zy
+        if whole <= 0.0:
+            break
+        y = _into_box(p.y - (zz * left_y - yz * left_z) / whole, box.y)
+        z = _into_box(p.z - (yy * left_z - zy * left_y) / whole, box.z)
+        tried = _way(q, _back(Vec(p.x, y, z), axis), half, table)
+        if tried.length > best.length + 1e-9:
+            break
+        best = tried
+        if abs(y - p.y) + abs(z - p.z) <= LAST:
+            break
+    return best
+
+
+@called_kernel
+def grid_distance(q: Vec, half: Vec, table: float) -> Face:
+    """Distance and its gradient; arguments as for `grid_face`.
+
+    Beyond the box and `FARTHEST` it is a lower bound.
+    """
+    bound, nearest = grid_face(q, half, table), _clamped(q, half)
+    out = q - nearest
+    if (out @ out <= 0.0) | (bound.gap >= FARTHEST):
+        return bound
+    best = _way(q, nearest, half, table)
+    aside = best.length  # ways through other places: the nearest of the box may lead elsewhere
+    for k in range(3):
+        for side in range(2):
+            by = aside if side == 0 else -aside
+            x, y, z = by if k == 0 else 0.0, by if k == 1 else 0.0, by if k == 2 else 0.0
+            tried = _way(q, _clamped(nearest + Vec(x, y, z), half), half, table)
+            if tried.length < best.length:
+                best = tried
+    for _ in range(ENTRIES):
+        n = best.face.normal
+        steep = math.sqrt(n @ n)
+        if steep <= 0.0:
+            break
+        foot = best.entry - n * (best.face.gap / steep)
+        entry = _entry_towards(q, _clamped(foot, half), half)
+        moved = entry - best.entry
+        best = _way(q, entry, half, table)
+        if moved @ moved <= BESIDE * BESIDE:
+            break
+    best = _polished(q, best, half, table)
+    away = q - best.entry
+    length = math.sqrt(away @ away)
+    if (length <= 0.0) | (best.length < bound.gap):
+        return bound
+    return Face(best.length, away * (1.0 / length))

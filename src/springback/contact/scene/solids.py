@@ -13,7 +13,7 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from springback.contact.scene.grid_face import grid_face
+from springback.contact.scene.grid_face import grid_distance
 from springback.contact.scene.height_face import height_face
 from springback.contact.scene.sections import (
     TINY,
@@ -43,7 +43,7 @@ WINDOW = (
 )
 # height, and height of its centre
 ROUND_WINDOW = 6.0  # half width, half height, half thickness; radius of the opening, in the middle
-GRID = 7.0  # half lengths of a box around it; address of its numbers (`grid_face`)
+GRID = 7.0  # half lengths of a box around it; address of its numbers (`grid_distance`)
 HEIGHTS = 8.0  # likewise; share of a height that is a distance, and reach (`height_face`)
 NET = 9.0  # half lengths of its face along x and y; depth of the body behind it, along −z
 
@@ -202,7 +202,7 @@ def _sharp_face(s: SolidForm, q: Vec) -> Face:
     if s.kind == TORUS:
         return _torus(q, s.a, s.b)
     if s.kind == GRID:
-        return grid_face(q, Vec(s.a, s.b, s.c), s.d)
+        return grid_distance(q, Vec(s.a, s.b, s.c), s.d)
     if s.kind == HEIGHTS:
         return height_face(q, Vec(s.a, s.b, s.c), s.d, s.e, s.f)
     if s.kind == NET:
