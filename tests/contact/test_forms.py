@@ -270,6 +270,24 @@ def test_a_ball_rests_on_level_ground_as_high_as_it_is_thick_however_steep_a_ste
     assert normal[2] == pytest.approx(1.0, abs=1e-2)
 
 
+def test_the_normal_of_a_steep_step_is_its_own_at_the_very_touch() -> None:
+    """Where the gap ends, the way to the nearest point has no direction of its own."""
+    heights = np.zeros((21, 21))
+    heights[16:] = 1.0
+    file = height_file(heights, folder() / "step.npy")
+    shape = HeightMap(type="heightmap", file=file, spacing=0.05, position=(0, 0, 0), surface=WALL)
+
+    for y, z in nonempty([(0.03, 0.5), (-0.31, 0.2), (0.2, 0.77), (0.0, 0.9), (0.11, 0.35)]):
+
+        def gap(x: float, y: float = y, z: float = z) -> float:
+            return face(shape, np.array([x, y, z]))[0]
+
+        touch = scipy.optimize.brentq(gap, 0.2, 0.31, xtol=1e-16, rtol=1e-15)
+        for step in np.outer([-1.0, 1.0], 10.0 ** np.arange(-16.0, -7.0)).ravel():
+            _, normal = face(shape, np.array([touch + step, y, z]))
+            assert normal[0] < -0.99
+
+
 # -- grids ------------------------------------------------------------------------------------------
 
 

@@ -137,17 +137,18 @@ def _foot(q: Vec, begin: Relief, half: Vec, table: float) -> Foot:
         if abs(dx) + abs(dy) <= LAST:
             at, ends = _beside_by(at, dx, dy), True
             break
-    return Foot(ends, _face_from(q, x, y, at))
+    return Foot(ends, _face_from(q, x, y, at, half))
 
 
 @kernel
-def _face_from(q: Vec, x: float, y: float, at: Relief) -> Face:
-    """Distance from the nearest point of the surface, which is on the rim if it is oblique."""
+def _face_from(q: Vec, x: float, y: float, at: Relief, half: Vec) -> Face:
+    """Distance from the nearest point of the surface; the way there is oblique on the rim only."""
     scale = 1.0 / math.sqrt(1.0 + at.x * at.x + at.y * at.y)
     normal = Vec(-at.x * scale, -at.y * scale, scale)
     away = Vec(q.x - x, q.y - y, q.z - at.height)
     gap, length = away @ normal, math.sqrt(away @ away)
-    if (length > TINY) & (abs(gap) < length * (1.0 - 1e-9)):
+    on_rim = (abs(x) >= half.x) | (abs(y) >= half.y)
+    if on_rim & (length > TINY) & (abs(gap) < length * (1.0 - 1e-9)):
         return Face(length, away * (1.0 / length))
     return Face(gap, normal)
 
@@ -261,7 +262,7 @@ def _nearest(q: Vec, half: Vec, table: float, most: float) -> Foot:
             low = _nearest_of_cell(q, _Cell(x, x + wide, y, y + long), half, table)
             if low.square < best.square:
                 found, best = True, low
-    return Foot(found, _face_from(q, best.x, best.y, relief_at(best.x, best.y, half, table)))
+    return Foot(found, _face_from(q, best.x, best.y, relief_at(best.x, best.y, half, table), half))
 
 
 @called_kernel
@@ -346,7 +347,10 @@ def height_probe(q: Vec, half: Vec, table: float, share: float, reach: float) ->
     if aside.gap < 0.0:
         at = relief_at(q.x, q.y, half, table)
         above, square = q.z - at.height, 1.0 + at.x * at.x + at.y * at.y
-        if (above > aside.gap) & (above > -half.z - q.z):  # neither a side nor the bottom is nearer
+        # Beyond the reach a part of the ground may be nearer that the slope below says nothing of;
+        # nor is a side or the bottom to be nearer.
+        inner = (above > aside.gap) & (above > -half.z - q.z)
+        if (share * above < reach) & inner:
             tilt = above / square
             n = Vec(
                 -at.x - tilt * (at.x * at.xx + at.y * at.xy),
