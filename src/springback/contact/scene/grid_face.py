@@ -31,8 +31,8 @@ FARTHEST = 0.5
 #: Most corrections of the place where the way enters the box, by the nearest point of the surface;
 #: and the last of these [m], which is also the step by which slopes are compared (chosen).
 ENTRIES, BESIDE = 30, 1e-6
-#: Most corrections by slopes, and the last one [m] (chosen).
-POLISHES, LAST = 8, 1e-12
+#: Most corrections by slopes, and the last one [m]; and corrections of a rough way (chosen).
+POLISHES, LAST, ROUGHLY = 8, 1e-12, 3
 #: Least cosine of the way through a side of the box for which slopes correct it (chosen).
 STEEP = 0.1
 
@@ -157,6 +157,39 @@ def _entry_towards(q: Vec, foot: Vec, half: Vec) -> Vec:
 
 
 @kernel
+def _corrected(q: Vec, way: _Way, half: Vec, table: float) -> _Way:
+    """The way towards the point of the surface that is nearest to where another one enters."""
+    n = way.face.normal
+    steep = math.sqrt(n @ n)
+    if steep <= 0.0:
+        return way
+    foot = way.entry - n * (way.face.gap / steep)
+    return _way(q, _entry_towards(q, _clamped(foot, half), half), half, table)
+
+
+@kernel
+def rough_distance(q: Vec, bound: Face, half: Vec, table: float) -> Face:
+    """Length and direction of a way that is nearly the shortest; never less than the distance.
+
+    Args:
+        q: As for `grid_face`.
+        bound: What it returns.
+        half: As there.
+        table: As there.
+    """
+    nearest = _clamped(q, half)
+    out = q - nearest
+    if (out @ out <= 0.0) | (bound.gap >= FARTHEST):
+        return bound
+    way = _way(q, nearest, half, table)
+    for _ in range(ROUGHLY):
+        way = _corrected(q, way, half, table)
+    away = q - way.entry
+    length = math.sqrt(away @ away)
+    return Face(way.length, away * (1.0 / length)) if length > 0.0 else bound
+
+
+@kernel
 def _turned(v: Vec, axis: int) -> Vec:
     """Components from one axis on."""
     if axis == 0:
@@ -250,14 +283,9 @@ def grid_distance(q: Vec, half: Vec, table: float) -> Face:
             if tried.length < best.length:
                 best = tried
     for _ in range(ENTRIES):
-        n = best.face.normal
-        steep = math.sqrt(n @ n)
-        if steep <= 0.0:
-            break
-        foot = best.entry - n * (best.face.gap / steep)
-        entry = _entry_towards(q, _clamped(foot, half), half)
-        moved = entry - best.entry
-        best = _way(q, entry, half, table)
+        before = best.entry
+        best = _corrected(q, best, half, table)
+        moved = best.entry - before
         if moved @ moved <= BESIDE * BESIDE:
             break
     best = _polished(q, best, half, table)
