@@ -12,6 +12,10 @@ import numpy as np
 from springback.contact.grids.height_maps import height_file
 from springback.contact.grids.mesh_files import Triangles
 from springback.contact.grids.occupancy import occupancy_file
+from springback.contact.scene.solids import solid_face
+from springback.contact.shapes import ShapeSettings, solids_of
+from springback.kernels.routines import NumberTable
+from springback.kernels.vectors import Vec
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -99,3 +103,16 @@ def hills_file(half: float = 1.0, spacing: float = 0.1) -> str:
 def cells_file(count: tuple[int, int, int] = (8, 12, 12), cell: float = 0.05) -> str:
     """A full block of occupied cells with its lower corner at the origin."""
     return occupancy_file(np.ones(count, dtype=bool), cell, path=folder() / "cells.npz")
+
+
+@functools.cache
+def table_of(shape: ShapeSettings) -> float:
+    """Table of its one solid."""
+    [solid] = solids_of(shape, 0, 0)
+    return NumberTable(np.array(solid.row()))
+
+
+def face(shape: ShapeSettings, point: Array) -> tuple[float, Array]:
+    """Distance and gradient, by the kernel."""
+    found = solid_face(table_of(shape), 0, Vec(*point.tolist()))
+    return found.gap, np.array(found.normal)

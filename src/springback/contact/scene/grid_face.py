@@ -115,7 +115,7 @@ def grid_face(q: Vec, half: Vec, table: float) -> Face:
     return Face(gap, Vec(gx, gy, gz))
 
 
-class _Way(NamedTuple):
+class _GridWay(NamedTuple):
     """A way from a point through the box to the surface."""
 
     entry: Vec  # where it enters the box, or a place inside [m]
@@ -124,9 +124,9 @@ class _Way(NamedTuple):
 
 
 @kernel
-def _way(q: Vec, entry: Vec, half: Vec, table: float) -> _Way:
+def _way(q: Vec, entry: Vec, half: Vec, table: float) -> _GridWay:
     face, out = grid_face(entry, half, table), q - entry
-    return _Way(entry, math.sqrt(out @ out) + face.gap, face)
+    return _GridWay(entry, math.sqrt(out @ out) + face.gap, face)
 
 
 @kernel
@@ -157,7 +157,7 @@ def _entry_towards(q: Vec, foot: Vec, half: Vec) -> Vec:
 
 
 @kernel
-def _corrected(q: Vec, way: _Way, half: Vec, table: float) -> _Way:
+def _corrected(q: Vec, way: _GridWay, half: Vec, table: float) -> _GridWay:
     """The way towards the point of the surface that is nearest to where another one enters."""
     n = way.face.normal
     steep = math.sqrt(n @ n)
@@ -230,7 +230,7 @@ def _lean(off: float, n: Vec) -> _Lean:
 
 
 @kernel
-def _polished(q: Vec, begin: _Way, half: Vec, table: float) -> _Way:
+def _polished(q: Vec, begin: _GridWay, half: Vec, table: float) -> _GridWay:
     """The shortest way through the side of the box that a way takes: its length is then stationary.
 
     So the way's direction is the gradient of its length, whatever the grid's errors.
