@@ -31,8 +31,8 @@ FARTHEST = 0.5
 #: Most corrections of the place where the way enters the box, by the nearest point of the surface;
 #: and the last of these [m], which is also the step by which slopes are compared (chosen).
 ENTRIES, BESIDE = 30, 1e-6
-#: Most corrections by slopes, and the last one [m]; and corrections of a rough way (chosen).
-POLISHES, LAST, ROUGHLY = 8, 1e-12, 3
+#: Most corrections by slopes, and the last one [m] (chosen).
+POLISHES, LAST = 8, 1e-12
 #: Least cosine of the way through a side of the box for which slopes correct it (chosen).
 STEEP = 0.1
 
@@ -165,28 +165,6 @@ def _corrected(q: Vec, way: _GridWay, half: Vec, table: float) -> _GridWay:
         return way
     foot = way.entry - n * (way.face.gap / steep)
     return _way(q, _entry_towards(q, _clamped(foot, half), half), half, table)
-
-
-@kernel
-def rough_distance(q: Vec, bound: Face, half: Vec, table: float) -> Face:
-    """Length and direction of a way that is nearly the shortest; never less than the distance.
-
-    Args:
-        q: As for `grid_face`.
-        bound: What it returns.
-        half: As there.
-        table: As there.
-    """
-    nearest = _clamped(q, half)
-    out = q - nearest
-    if (out @ out <= 0.0) | (bound.gap >= FARTHEST):
-        return bound
-    way = _way(q, nearest, half, table)
-    for _ in range(ROUGHLY):
-        way = _corrected(q, way, half, table)
-    away = q - way.entry
-    length = math.sqrt(away @ away)
-    return Face(way.length, away * (1.0 / length)) if length > 0.0 else bound
 
 
 @kernel

@@ -32,7 +32,7 @@ from springback.contact.rings import (
     turning_point,
     with_saddle,
 )
-from springback.contact.scene.grid_face import CELL, grid_distance, grid_face, rough_distance
+from springback.contact.scene.grid_face import CELL, grid_face
 from springback.contact.scene.height_face import PER_CELL, Probe, height_face, height_probe
 from springback.contact.scene.sections import Face, vector_at
 from springback.contact.scene.solids import (
@@ -128,7 +128,7 @@ def _form_face(view: AlongRing, point: Vec) -> Face:
     if form.kind == CAPSULE:
         return capsule_face(q, form.a, form.b)
     if form.kind == GRID:
-        return grid_distance(q, half, form.d)
+        return grid_face(q, half, form.d)
     return height_face(q, half, form.d, form.e, form.f)
 
 
@@ -169,8 +169,7 @@ def _look(view: AlongRing, radius: float, towards: Direction) -> Probe:
         return Probe(face.gap, face.gap, face.normal)
     if form.kind == GRID:
         face = grid_face(q, half, form.d)
-        rough = rough_distance(q, face, half, form.d)
-        return Probe(face.gap, rough.gap, rough.normal)
+        return Probe(face.gap, face.gap, face.normal)
     return height_probe(q, half, form.d, form.e, form.f)
 
 
