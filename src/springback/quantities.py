@@ -85,16 +85,16 @@ def si_number(
             raise problem(_beyond_a_turn(value, number))
         finite: float = number
         return finite
-    given = shown_value(value) if isinstance(value, str) else _text(number, unit)
+    given = shown_value(value) if isinstance(value, str) else _given(number, unit)
     bounds = [
         ("finite", math.isfinite(number)),
-        (f"more than {_text(above, unit)}", above is None or number > above),
-        (f"at least {_text(least, unit)}", least is None or number >= least),
-        (f"at most {_text(most, unit)}", most is None or number <= most),
+        (f"more than {with_unit(above, unit)}", above is None or number > above),
+        (f"at least {with_unit(least, unit)}", least is None or number >= least),
+        (f"at most {with_unit(most, unit)}", most is None or number <= most),
     ]
     bounds += [
-        (f"at most {_text(LARGEST, unit)} in size", abs(number) <= LARGEST),
-        (f"0, or at least {_text(SMALLEST, unit)} in size", is_sizeable(number)),
+        (f"at most {with_unit(LARGEST, unit)} in size", abs(number) <= LARGEST),
+        (f"0, or at least {with_unit(SMALLEST, unit)} in size", is_sizeable(number)),
     ]
     broken = [claim for claim, holds in bounds if not holds]
     raise problem(f"must be {broken[0]} (got {given})")
@@ -124,8 +124,18 @@ def _float(value: float) -> float:
         return math.inf if value > 0 else -math.inf
 
 
-def _text(number: float | None, unit: str) -> str:
-    return "" if number is None else f"{number:g} {unit}".strip()
+def with_unit(number: float | None, unit: str) -> str:
+    """A number and its unit; angles in degrees."""
+    if number is None:
+        return ""
+    angle = unit == "rad" and abs(number) <= FULL_TURN
+    return f"{math.degrees(number):.6g} deg" if angle else f"{number:g} {unit}".strip()
+
+
+def _given(number: float, unit: str) -> str:
+    """A plain number as it was given, and an angle in degrees, too."""
+    plain, shown = f"{number:g} {unit}".strip(), with_unit(number, unit)
+    return plain if shown == plain else f"{plain}, which is {shown}"
 
 
 @dataclass(frozen=True)

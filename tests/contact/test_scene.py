@@ -31,6 +31,7 @@ from springback.contact.scene.faces import (
     scene_faces,
 )
 from springback.contact.scene.nearest import MOST_NEAR, distance_of, nearest_solid, solids_within
+from springback.contact.scene.sections import FARTHEST
 from springback.contact.scene.solids import solid_face
 from springback.contact.shapes import Box, Capsule
 from springback.contact.worlds import obstacles
@@ -92,20 +93,21 @@ def test_the_nearest_of_many_solids_is_found(density: float) -> None:
     for _ in range(100):
         point = vec(chance.uniform([-1.0, -10.0, 0.0], [21.0, 10.0, 3.0]))
         gaps = {row: solid_face(world.table, row, point).gap for row in known}
-        found = nearest_solid(world.table, point)
+        found = nearest_solid(world.table, point, FARTHEST)
         assert found.gap == min(gaps.values()) == gaps[found.row]
         assert distance_of(world, point) == found.gap
-        reach = chance.uniform(0.0, 4.0)
-        assert solids_within(world.table, point, reach).number == sum(
-            gap <= reach for gap in gaps.values()
+        more = chance.uniform(0.0, 4.0)
+        assert solids_within(world.table, point, found, more).number == sum(
+            gap <= found.gap + more for gap in gaps.values()
         )
 
 
 def test_no_solid_is_near_in_a_world_of_half_spaces() -> None:
     """A slope alone has no tree."""
     world = scene(SHAPES["slope"])
-    assert nearest_solid(world.table, STILL).gap == FAR
-    assert solids_within(world.table, STILL, 100.0).number == 0
+    nearest = nearest_solid(world.table, STILL, FARTHEST)
+    assert nearest.gap == FAR
+    assert solids_within(world.table, STILL, nearest, 100.0).number == 0
 
 
 # -- rings ------------------------------------------------------------------------------------------
@@ -266,7 +268,8 @@ def test_plain_python_and_the_routine_give_the_same_bits() -> None:
         given, out = np.array(leaves(part)), np.zeros(len(expected))
         by_routine(like, SCENE_FACES.address, given, out)
         assert np.array_equal(out, expected)
-        seen += solids_within(world.table, centre, 0.3).number > 1
+        nearest = nearest_solid(world.table, centre, FARTHEST)
+        seen += solids_within(world.table, centre, nearest, 0.3).number > 1
     assert seen > 10
 
 
@@ -284,6 +287,7 @@ def test_more_solids_than_a_part_can_list_are_looked_through() -> None:
     ]
     world = scene(*rods)
     centre, r = Vec(0.01, 0.02, 0.03), rotation(Quat(0.9, 0.3, 0.1, 0.2))
-    assert solids_within(world.table, centre, 0.3).number > MOST_NEAR
+    nearest = nearest_solid(world.table, centre, FARTHEST)
+    assert solids_within(world.table, centre, nearest, 0.3).number > MOST_NEAR
     gaps = [faces(scene(rod), centre, r, Ring(0.0))[0].nearest.gap for rod in rods]
     assert faces(world, centre, r, Ring(0.0))[0].nearest.gap == pytest.approx(min(gaps), abs=1e-10)

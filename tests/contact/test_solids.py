@@ -300,7 +300,7 @@ def test_the_table_holds_every_solid() -> None:
         (Window, {"opening": (1.2, 0.3)}, "must lie within the wall"),
         (Window, {"opening": (0.99, 0.3)}, "at most 0.0025 m, half of the thinnest part"),
         (Doorway, {"opening": (0.3, 0.9)}, "must be smaller than the wall"),
-        (Slope, {"angle": 2.0}, "at most 1.5708 rad"),
+        (Slope, {"angle": 2.0}, "at most 90 deg"),
         (Stairs, {"steps": 0}, "greater than or equal to 1"),
         (Cone, {"edge_radius": 0.19}, "too large for this cone"),
     ],

@@ -14,7 +14,8 @@ from springback.contact.grids.data_files import npy_array, suffix_of
 from springback.contact.grids.distance_grids import coefficients
 from springback.contact.grids.images import grey_image
 from springback.contact.grids.occupancy import new_file
-from springback.contact.scene.height_face import COEFFICIENTS, FARTHEST, PER_CELL, RIDGES
+from springback.contact.scene.height_face import COEFFICIENTS, PER_CELL, RIDGES
+from springback.contact.scene.sections import FARTHEST
 from springback.kernels.routines import NumberTable
 from springback.settings import problem
 

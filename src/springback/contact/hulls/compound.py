@@ -48,7 +48,7 @@ from springback.contact.scene.nearest import (
     solid_row,
     solids_within,
 )
-from springback.contact.scene.sections import Face, vector_at
+from springback.contact.scene.sections import FARTHEST, Face, vector_at
 from springback.contact.scene.solids import (
     AXES,
     BOX,
@@ -61,7 +61,7 @@ from springback.contact.scene.solids import (
     SolidForm,
     form_at,
     form_face,
-    solid_face,
+    solid_face_within,
 )
 from springback.kernels.compiler import kernel, rare_kernel
 from springback.kernels.routines import Routine, call_routine, number_at
@@ -96,7 +96,7 @@ class SolidView(NamedTuple):
 @rare_kernel
 def _seen_face(view: SolidView, point: Vec) -> Face:
     there = view.origin + view.x * point.x + view.y * point.y + view.z * point.z
-    found = form_face(view.form, there)
+    found = form_face(view.form, there, FARTHEST)
     n = found.normal
     return Face(found.gap, Vec(view.x @ n, view.y @ n, view.z @ n))
 
@@ -270,12 +270,14 @@ def scene_hull_faces(part: HullPart) -> HullFaces:
             found = _with_round(found, block)
     if has_rounded and number_at(table, SOLIDS) > 0.0:
         middle = part.position + part.r @ (part.lever + part.middle)
-        nearest = nearest_solid(table, middle)
-        bound = nearest.gap - part.radius
-        if (part.exact == 0.0) & (bound > EXACT_BELOW):
-            normal = solid_face(table, nearest.row, middle).normal
-            return among(found.faces, _far_face(part, nearest.row, bound, normal))
-        near = solids_within(table, middle, nearest.gap + 2.0 * part.radius)
+        within = part.radius + EXACT_BELOW if part.exact == 0.0 else FARTHEST
+        nearest = nearest_solid(table, middle, within)
+        if (part.exact == 0.0) & (nearest.gap >= within):
+            normal = solid_face_within(table, nearest.row, middle, within).normal
+            return among(
+                found.faces, _far_face(part, nearest.row, nearest.gap - part.radius, normal)
+            )
+        near = solids_within(table, middle, nearest, 2.0 * part.radius)
         many = near.number > MOST_NEAR
         for k in range(int(number_at(table, SOLIDS)) if many else near.number):
             row = solid_row(table, k) if many else row_of_near(near, k)

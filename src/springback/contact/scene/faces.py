@@ -45,13 +45,13 @@ from springback.contact.scene.nearest import (
     SOLIDS,
     SURFACES,
     NearestSolids,
-    nearest_of,
+    nearest_row,
     nearest_solid,
     row_of_near,
     solids_within,
 )
 from springback.contact.scene.ring_views import along_ring, is_smooth, lowest_by_strides
-from springback.contact.scene.sections import Face, vector_at
+from springback.contact.scene.sections import FARTHEST, Face, vector_at
 from springback.contact.scene.solids import (
     AXES,
     BOX,
@@ -64,6 +64,7 @@ from springback.contact.scene.solids import (
     SURFACE,
     WIDTH,
     solid_face,
+    solid_face_within,
 )
 from springback.contact.surfaces import AnyExponent, Hysteresis, Surface
 from springback.kernels.compiler import generic, kernel
@@ -127,9 +128,6 @@ class VehiclePart(NamedTuple):
     position: Vec  # of the main body, world [m]
     r: Mat3  # body axes to world axes
     exact: float  # 0: gaps above `EXACT_BELOW` may be lower bounds
-
-
-# -- faces ----------------------------------------------------------------------------------------
 
 
 class ThreeFaces(NamedTuple):
@@ -293,7 +291,7 @@ def _with_ring(
 def _row_at(part: VehiclePart, near: NearestSolids, low: LowPoint) -> int:
     """Position of the numbers of the solid that is nearest to a point of a ring."""
     at = on_ring(part.pose.lever, part.radius, low.towards)
-    return nearest_of(near, part.position + part.r @ at).row
+    return nearest_row(near, part.position + part.r @ at)
 
 
 @kernel
@@ -310,7 +308,7 @@ def _tip_on_solid(part: VehiclePart, row: int, centre: Vec) -> NearestFace:
 @kernel
 def _with_tip(found: ThreeFaces, part: VehiclePart, near: NearestSolids, centre: Vec) -> ThreeFaces:
     """Faces with the one that the paper's contact point meets on solids: the lowest of all."""
-    row = nearest_of(near, centre).row
+    row = nearest_row(near, centre)
     lowest = _tip_on_solid(part, row, centre)
     for k in range(near.number if near.number <= MOST_NEAR else 0):
         other = _tip_on_solid(part, row_of_near(near, k), centre)
@@ -336,7 +334,7 @@ def _with_sphere(
 ) -> ThreeFaces:
     """Faces with those that a sphere meets: the nearest solid, and the next one apart from it."""
     table = part.table
-    nearest = nearest_of(near, centre).row
+    nearest = nearest_row(near, centre)
     first = solid_face(table, nearest, centre)
     touched = centre - first.gap * first.normal
     in_body = Face(first.gap, first.normal @ part.r)
@@ -344,11 +342,13 @@ def _with_sphere(
     second, second_row = first, -1
     for k in range(near.number if near.number <= MOST_NEAR else 0):
         row = row_of_near(near, k)
+        if row == nearest:
+            continue
         there = solid_face(table, row, centre)
         point = centre - there.gap * there.normal
         apart = point - touched
         nearer = second_row < 0 or there.gap < second.gap
-        is_apart = row != nearest and apart @ apart > APART * APART
+        is_apart = apart @ apart > APART * APART
         if nearer and is_apart and is_exposed(near, row, point):
             second, second_row = there, row
     if second_row >= 0:
@@ -375,14 +375,14 @@ def scene_faces(part: VehiclePart) -> ThreeFaces:
     found = _with_half_spaces(no_faces(), part)
     if number_at(table, SOLIDS) > 0.0:
         centre = part.position + part.r @ part.pose.lever
-        nearest = nearest_solid(table, centre)
-        bound = nearest.gap - part.radius
         known = DISC_BELOW if part.kind == DISC else EXACT_BELOW
-        if (part.exact == 0.0) & (bound > known):
-            there = solid_face(table, nearest.row, centre)
+        within = part.radius + known if part.exact == 0.0 else FARTHEST
+        nearest = nearest_solid(table, centre, within)
+        if (part.exact == 0.0) & (nearest.gap >= within):
+            there = solid_face_within(table, nearest.row, centre, within)
             in_body = Face(there.gap, there.normal @ part.r)
             return _with_face(found, table, nearest.row, _of_sphere(in_body, part.radius))
-        near = solids_within(table, centre, nearest.gap + 2.0 * part.radius)
+        near = solids_within(table, centre, nearest, 2.0 * part.radius)
         if part.kind == RING:
             return _with_ring(found, part, near, centre)
         if part.kind == TIP:

@@ -26,8 +26,6 @@ from springback.kernels.vectors import Vec
 #: Numbers at the beginning of a table: nodes along each axis, length of a cell and its reciprocal
 #: [m], [1/m]; then the coefficients, with one more on each side, those along z side by side.
 COUNTS, CELL, PER_CELL, COEFFICIENTS = 0, 3, 4, 5
-#: Distance within which `grid_distance` is no bound [m]: no part is thicker (chosen).
-FARTHEST = 0.5
 #: Most corrections of the place where the way enters the box, by the nearest point of the surface;
 #: and the last of these [m], which is also the step by which slopes are compared (chosen).
 ENTRIES, BESIDE = 30, 1e-6
@@ -242,14 +240,14 @@ def _polished(q: Vec, begin: _GridWay, half: Vec, table: float) -> _GridWay:
 
 
 @called_kernel
-def grid_distance(q: Vec, half: Vec, table: float) -> Face:
+def grid_distance(q: Vec, half: Vec, table: float, within: float) -> Face:
     """Distance and its gradient; arguments as for `grid_face`.
 
-    Beyond the box and `FARTHEST` it is a lower bound.
+    Beyond the box and a distance of ``within`` it is a lower bound, and no less than that [m].
     """
     bound, nearest = grid_face(q, half, table), _clamped(q, half)
     out = q - nearest
-    if (out @ out <= 0.0) | (bound.gap >= FARTHEST):
+    if (out @ out <= 0.0) | (bound.gap >= within):
         return bound
     best = _way(q, nearest, half, table)
     aside = best.length  # ways through other places: the nearest of the box may lead elsewhere

@@ -9,7 +9,7 @@ nearest point only (the reach of H. Federer, "Curvature measures", 1959; the gra
 no other narrow places), so what is found there is the distance; likewise below the surface, by its
 ridges.  Farther away all cells are searched that may hold a nearer point: those whose box, between
 the lowest and the highest of a cell's coefficients, is nearer than what is known.  Beyond
-`FARTHEST`, and beside the rectangle, it is the height above the ground, over the length of the
+some distance, and beside the rectangle, it is the height above the ground, over the length of the
 steepest normal: never more than the distance.
 """
 
@@ -19,7 +19,7 @@ import math
 from typing import NamedTuple
 
 from springback.contact.scene.grid_face import dot, place_in, slopes, weights
-from springback.contact.scene.sections import TINY, Face, PlanarFace, profile, rectangle
+from springback.contact.scene.sections import FARTHEST, TINY, Face, PlanarFace, profile, rectangle
 from springback.kernels.compiler import called_kernel, kernel
 from springback.kernels.routines import number_at
 from springback.kernels.splines import Four, blend, four_at
@@ -35,8 +35,6 @@ STEPS, LAST = 12, 1e-6
 #: Points along a side of a cell from the nearest of which Newton's method begins, its most steps
 #: and its last one [m], and most halvings of a step that leads away (chosen).
 SAMPLES, SAFE_STEPS, SHARP, HALVINGS = 4, 40, 1e-9, 12
-#: Distance within which the gap is exact [m]: no part is thicker (chosen).
-FARTHEST = 0.5
 
 
 class Relief(NamedTuple):
@@ -101,6 +99,22 @@ class Foot(NamedTuple):
 
 
 @kernel
+def _square_slopes(
+    q: Vec, x: float, y: float, at: Relief
+) -> tuple[float, float, float, float, float]:
+    """Derivatives of half the square of the way to the ground: by x, y, xx, yy and xy.
+
+    Where the second ones are not positive, they are those of the plane that touches the ground.
+    """
+    up = at.height - q.z
+    jx, jy, both = 1.0 + at.x * at.x, 1.0 + at.y * at.y, at.x * at.y
+    bent_x, bent_y, bent = jx + up * at.xx, jy + up * at.yy, both + up * at.xy
+    if (bent_x > 0.0) & (bent_x * bent_y > bent * bent):
+        jx, jy, both = bent_x, bent_y, bent
+    return x - q.x + up * at.x, y - q.y + up * at.y, jx, jy, both
+
+
+@kernel
 def _foot(q: Vec, begin: Relief, half: Vec, table: float) -> Foot:
     """Nearest point of the surface within its rectangle.
 
@@ -116,12 +130,7 @@ def _foot(q: Vec, begin: Relief, half: Vec, table: float) -> Foot:
     at, ends = begin, False
     for _ in range(STEPS):
         at = relief_at(x, y, half, table)
-        up = at.height - q.z
-        fx, fy = x - q.x + up * at.x, y - q.y + up * at.y
-        jx, jy, both = 1.0 + at.x * at.x, 1.0 + at.y * at.y, at.x * at.y
-        bent_x, bent_y, bent = jx + up * at.xx, jy + up * at.yy, both + up * at.xy
-        if (bent_x > 0.0) & (bent_x * bent_y > bent * bent):
-            jx, jy, both = bent_x, bent_y, bent
+        fx, fy, jx, jy, both = _square_slopes(q, x, y, at)
         # On the rim the place moves along it, unless the way is inwards.
         held_x = ((x >= half.x) & (fx < 0.0)) | ((x <= -half.x) & (fx > 0.0))
         held_y = ((y >= half.y) & (fy < 0.0)) | ((y <= -half.y) & (fy > 0.0))
@@ -201,12 +210,7 @@ def _nearest_of_cell(q: Vec, cell: _Cell, half: Vec, table: float) -> _Spot:
     x, y, square = _first_guess(q, cell, half, table)
     at = relief_at(x, y, half, table)
     for _ in range(SAFE_STEPS):
-        up = at.height - q.z
-        fx, fy = x - q.x + up * at.x, y - q.y + up * at.y
-        jx, jy, both = 1.0 + at.x * at.x, 1.0 + at.y * at.y, at.x * at.y
-        bent_x, bent_y, bent = jx + up * at.xx, jy + up * at.yy, both + up * at.xy
-        if (bent_x > 0.0) & (bent_x * bent_y > bent * bent):
-            jx, jy, both = bent_x, bent_y, bent
+        fx, fy, jx, jy, both = _square_slopes(q, x, y, at)
         if ((x >= cell.to_x) & (fx < 0.0)) | ((x <= cell.x) & (fx > 0.0)):
             fx, both = 0.0, 0.0
         if ((y >= cell.to_y) & (fy < 0.0)) | ((y <= cell.y) & (fy > 0.0)):
@@ -266,7 +270,7 @@ def _nearest(q: Vec, half: Vec, table: float, most: float) -> Foot:
 
 
 @called_kernel
-def height_face(q: Vec, half: Vec, table: float, share: float, reach: float) -> Face:
+def height_face(q: Vec, half: Vec, table: float, share: float, reach: float, within: float) -> Face:
     """Distance and normal of ground of some height, own axes.
 
     Args:
@@ -275,23 +279,24 @@ def height_face(q: Vec, half: Vec, table: float, share: float, reach: float) -> 
         table: Address of the numbers.
         share: 1/√(1 + s²) for the steepest slope s.
         reach: Distance within which the nearest point is unique [m].
+        within: A distance above the ground beyond which it may be a lower bound [m].
     """
     x, y = _within(q.x, half.x), _within(q.y, half.y)
     at = relief_at(x, y, half, table)
     above, below = q.z - at.height, -half.z - q.z
     aside = rectangle(q.x, q.y, half.x, half.y)
     if above > 0.0:
-        if (share * above < FARTHEST) & (aside.gap <= 0.0):
+        if (share * above < within) & (aside.gap <= 0.0):
             if share * above < reach:
                 foot = _foot(q, at, half, table)
                 if foot.found & (foot.face.gap >= 0.0) & (foot.face.gap < reach):
                     return foot.face
-            least = FARTHEST
-            if q.z - half.z < FARTHEST:
-                near = _nearest(q, half, table, min(above + LAST, FARTHEST))
+            least = within
+            if q.z - half.z < within:
+                near = _nearest(q, half, table, min(above + LAST, within))
                 if near.found:
                     return near.face
-                least = min(above, FARTHEST)
+                least = min(above, within)
             return _above_all(q, at, half, max(share * above, least), share)
         if (share * above < reach) & (aside.gap < reach):
             foot = _foot(q, at, half, table)
@@ -358,7 +363,7 @@ def height_probe(q: Vec, half: Vec, table: float, share: float, reach: float) ->
             )  # fmt: skip
             low, high = share * above, above
             return Probe(low, high, n) if above > 0.0 else Probe(high, low, n)
-    found = height_face(q, half, table, share, reach)
+    found = height_face(q, half, table, share, reach, FARTHEST)
     return Probe(found.gap, found.gap, found.normal)
 
 

@@ -9,7 +9,8 @@ from typing import Any, NamedTuple
 
 from springback.contact.obstacles import outward_normal, signed_distance
 from springback.contact.rings import FAR, has_ridges
-from springback.contact.scene.solids import WIDTH, solid_face
+from springback.contact.scene.sections import FARTHEST
+from springback.contact.scene.solids import WIDTH, solid_face, solid_face_within
 from springback.kernels.compiler import called_kernel, kernel
 from springback.kernels.routines import number_at
 from springback.kernels.vectors import Vec
@@ -60,8 +61,11 @@ def _is_nearer(square: float, gap: float) -> bool:
 
 
 @kernel
-def nearest_solid(table: float, point: Vec) -> Nearest:
-    """The solid nearest to a point of the world; half-spaces are none."""
+def nearest_solid(table: float, point: Vec, within: float) -> Nearest:
+    """The solid nearest to a point of the world; half-spaces are none.
+
+    A gap may be a lower bound where it is not less than ``within`` [m].
+    """
     leaves, solids = int(number_at(table, LEAVES)), int(number_at(table, SOLIDS))
     best, row, node, previous = FAR, -1, 1 if solids > 0 else 0, 0
     while node > 0:
@@ -69,7 +73,7 @@ def nearest_solid(table: float, point: Vec) -> Nearest:
         if node >= leaves:
             if node - leaves < solids:
                 there = solid_row(table, node - leaves)
-                gap = solid_face(table, there, point).gap
+                gap = solid_face_within(table, there, point, within).gap
                 if gap < best:
                     best, row = gap, there
             previous, node = node, above
@@ -98,10 +102,11 @@ class NearestSolids(NamedTuple):
 
 
 @kernel
-def solids_within(table: float, point: Vec, reach: float) -> NearestSolids:
-    """Solids within some distance of a point of the world [m]."""
+def solids_within(table: float, point: Vec, nearest: Nearest, more: float) -> NearestSolids:
+    """The solid nearest to a point of the world, and those farther by up to some distance [m]."""
     leaves, solids = int(number_at(table, LEAVES)), int(number_at(table, SOLIDS))
     count, first, second, node = 0, 0, 0, 1 if solids > 0 else 0
+    reach = nearest.gap + more
     square = reach * reach
     while node > 0:
         if _square_to(table, node, point) <= square:
@@ -109,7 +114,10 @@ def solids_within(table: float, point: Vec, reach: float) -> NearestSolids:
                 node = 2 * node
                 continue
             k = node - leaves
-            if k < solids and solid_face(table, solid_row(table, k), point).gap <= reach:
+            row = solid_row(table, k)
+            if k < solids and (
+                row == nearest.row or solid_face_within(table, row, point, reach).gap <= reach
+            ):
                 if count < 4:
                     first |= k << (16 * count)
                 elif count < MOST_NEAR:
@@ -132,7 +140,7 @@ def row_of_near(near: NearestSolids, k: int) -> int:
 def nearest_of(near: NearestSolids, point: Vec) -> Nearest:
     """The nearest of some solids."""
     if near.number > MOST_NEAR:
-        return nearest_solid(near.table, point)
+        return nearest_solid(near.table, point, FARTHEST)
     best, row = FAR, -1
     for k in range(near.number):
         there = row_of_near(near, k)
@@ -140,6 +148,12 @@ def nearest_of(near: NearestSolids, point: Vec) -> Nearest:
         if gap < best:
             best, row = gap, there
     return Nearest(best, row)
+
+
+@kernel
+def nearest_row(near: NearestSolids, point: Vec) -> int:
+    """Position of the numbers of the nearest of some solids."""
+    return row_of_near(near, 0) if near.number == 1 else nearest_of(near, point).row
 
 
 @signed_distance.register(NearestSolids)
@@ -151,7 +165,7 @@ def _near_distance(near: NearestSolids, point: Vec) -> float:
 @outward_normal.register(NearestSolids)
 @kernel
 def _near_normal(near: NearestSolids, point: Vec) -> Vec:
-    return solid_face(near.table, nearest_of(near, point).row, point).normal
+    return solid_face(near.table, nearest_row(near, point), point).normal
 
 
 @has_ridges.register(NearestSolids)
@@ -166,4 +180,4 @@ def distance_of(scene: Any, point: Vec) -> float:
     rows = (HEADER + WIDTH * k for k in range(int(number_at(table, HALF_SPACES))))
     gaps = [solid_face(table, row, point).gap for row in rows]
     gaps += [signed_distance(one.shape, point) for one in scene.own]
-    return min([nearest_solid(table, point).gap, *gaps])
+    return min([nearest_solid(table, point, FARTHEST).gap, *gaps])

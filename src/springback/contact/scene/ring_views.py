@@ -34,7 +34,7 @@ from springback.contact.rings import (
 )
 from springback.contact.scene.grid_face import CELL, grid_face
 from springback.contact.scene.height_face import PER_CELL, Probe, height_face, height_probe
-from springback.contact.scene.sections import Face, vector_at
+from springback.contact.scene.sections import FARTHEST, Face, vector_at
 from springback.contact.scene.solids import (
     AXES,
     CAPSULE,
@@ -88,7 +88,7 @@ def along_ring(table: float, row: int, centre: Vec, r: Mat3) -> AlongRing:
 
 @kernel
 def _face_along_ring(view: AlongRing, point: Vec) -> Face:
-    return form_face(view.form, view.centre + view.x * point.x + view.y * point.y)
+    return form_face(view.form, view.centre + view.x * point.x + view.y * point.y, FARTHEST)
 
 
 @signed_distance.register(AlongRing)
@@ -129,7 +129,7 @@ def _form_face(view: AlongRing, point: Vec) -> Face:
         return capsule_face(q, form.a, form.b)
     if form.kind == GRID:
         return grid_face(q, half, form.d)
-    return height_face(q, half, form.d, form.e, form.f)
+    return height_face(q, half, form.d, form.e, form.f, FARTHEST)
 
 
 @signed_distance.register(FormAlongRing)

@@ -11,6 +11,8 @@ from springback.kernels.vectors import Vec
 
 #: Length below which a direction is undefined [m].
 TINY = 1e-150
+#: Distance within which that of a grid or height map is no bound [m]: no part is thicker (chosen).
+FARTHEST = 0.5
 
 
 class Face(NamedTuple):

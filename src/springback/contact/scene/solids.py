@@ -16,6 +16,7 @@ from typing import NamedTuple
 from springback.contact.scene.grid_face import grid_distance
 from springback.contact.scene.height_face import height_face
 from springback.contact.scene.sections import (
+    FARTHEST,
     TINY,
     Face,
     PlanarFace,
@@ -191,7 +192,7 @@ def form_at(table: float, row: int) -> SolidForm:
 
 
 @kernel
-def _sharp_face(s: SolidForm, q: Vec) -> Face:
+def _sharp_face(s: SolidForm, q: Vec, within: float) -> Face:
     """Face of a solid before its edges are rounded."""
     if s.kind == CAPSULE:
         return capsule_face(q, s.a, s.b)
@@ -202,9 +203,9 @@ def _sharp_face(s: SolidForm, q: Vec) -> Face:
     if s.kind == TORUS:
         return _torus(q, s.a, s.b)
     if s.kind == GRID:
-        return grid_distance(q, Vec(s.a, s.b, s.c), s.d)
+        return grid_distance(q, Vec(s.a, s.b, s.c), s.d, within)
     if s.kind == HEIGHTS:
-        return height_face(q, Vec(s.a, s.b, s.c), s.d, s.e, s.f)
+        return height_face(q, Vec(s.a, s.b, s.c), s.d, s.e, s.f, within)
     if s.kind == NET:
         return _net(q, s.a, s.b, s.c)
     outline = rectangle(q.x, q.y, s.a, s.b)
@@ -214,9 +215,9 @@ def _sharp_face(s: SolidForm, q: Vec) -> Face:
 
 
 @kernel
-def form_face(s: SolidForm, q: Vec) -> Face:
+def form_face(s: SolidForm, q: Vec, within: float) -> Face:
     """Distance and outward normal of a solid that is no half-space, all in its own axes."""
-    found = _sharp_face(s, q)
+    found = _sharp_face(s, q, within)
     return Face(found.gap - s.rounding, found.normal)
 
 
@@ -229,12 +230,21 @@ def solid_face(table: float, row: int, point: Vec) -> Face:
         row: Position of the solid's first number.
         point: [m].
     """
+    return solid_face_within(table, row, point, FARTHEST)
+
+
+@kernel
+def solid_face_within(table: float, row: int, point: Vec, within: float) -> Face:
+    """Distance, if it is less than a given one [m], and else a lower bound that is not less.
+
+    The other arguments are as for `solid_face`; only grids and height maps have bounds.
+    """
     relative = point - vector_at(table, row + CENTRE)
     ez = vector_at(table, row + AXES + 6)
     if number_at(table, row + KIND) == HALF_SPACE:
         return Face(ez @ relative, ez)
     ex, ey = vector_at(table, row + AXES), vector_at(table, row + AXES + 3)
     q = Vec(ex @ relative, ey @ relative, ez @ relative)
-    found = form_face(form_at(table, row), q)
+    found = form_face(form_at(table, row), q, within)
     n = found.normal
     return Face(found.gap, ex * n.x + ey * n.y + ez * n.z)

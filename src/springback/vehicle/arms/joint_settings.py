@@ -17,7 +17,7 @@ from pydantic import BeforeValidator, Field
 from springback.errors import shown_value
 from springback.kernels.tracing import sqrt, traceable
 from springback.kernels.vectors import Vec
-from springback.quantities import PairPerArm, PerArm, Triple, TriplePerArm, Unit
+from springback.quantities import PairPerArm, PerArm, Triple, TriplePerArm, Unit, with_unit
 from springback.settings import Settings, naming, problem
 from springback.vehicle.arms.joints import Joint, JointSpring, Latch, latch_force
 from springback.vehicle.arms.latch_settings import HingeLatch, SlideLatch
@@ -256,21 +256,22 @@ class _WaySettings(Settings):
         if not low <= 0.0 < high:
             raise problem(
                 f"{of}must be from at most 0 to more than 0 {unit}, the free position being 0 "
-                f"(got {low:g} to {high:g} {unit})",
+                f"(got {with_unit(low, unit)} to {with_unit(high, unit)})",
                 "travel",
             )
         if unit == "rad" and max(-low, high) > MOST_ANGLE:
-            raise problem(f"{of}must be within half a turn (got {low:g} to {high:g} rad)", "travel")
+            got = f"got {with_unit(low, unit)} to {with_unit(high, unit)}"
+            raise problem(f"{of}must be within half a turn ({got})", "travel")
         if self._at("play", j) >= max(-low, high):
             raise problem(
-                f"must be less than the travel, {max(-low, high):g} {unit}: the spring would "
-                f"never act (got {self._at('play', j):g} {unit})",
+                f"must be less than the travel, {with_unit(max(-low, high), unit)}: the spring "
+                f"would never act (got {with_unit(self._at('play', j), unit)})",
                 "play",
             )
         if self._at("one_sided", j) and low < 0.0:
             raise problem(
                 f"{of}must begin at 0 {unit} with one_sided: nothing would bring the arm back "
-                f"(got {low:g} {unit})",
+                f"(got {with_unit(low, unit)})",
                 "travel",
             )
 
@@ -289,8 +290,8 @@ class _WaySettings(Settings):
                 raise problem(self._needs_stop, "latch")
             if not latch.opens(j) < high:
                 raise problem(
-                    f"must be less than the travel of the arm, {high:g} {unit}: it would meet its "
-                    f"stop before the latch opens (got {latch.opens(j):g} {unit})",
+                    f"must be less than the travel of the arm, {with_unit(high, unit)}: it would "
+                    f"meet its stop before the latch opens (got {with_unit(latch.opens(j), unit)})",
                     "latch.travel",
                 )
 
