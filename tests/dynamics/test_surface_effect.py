@@ -227,7 +227,7 @@ def test_the_work_of_suction_is_in_the_ledger() -> None:
         1.0, 1.0, vehicle=vehicle, world={"obstacles": [wall]},
         start={"position": [0.18, 0.0, 1.0]}, simulation={"duration": 1.5, "impact_step": 1e-5},
     )  # fmt: skip
-    flight = fly(given, executor="python")
+    flight = fly(given)
     assert flight.columns["vx"].max() > 0.1
     assert (flight.measures["contacts"] or 0.0) >= 1.0
     assert flight.measures["work_thrust"] > 1e-3
