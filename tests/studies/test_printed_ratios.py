@@ -12,10 +12,15 @@ from springback.kernels.vectors import Vec, rotation
 from springback.scenario.scenario import scenario_from
 from springback.studies.recordings.printed_ratios import (
     FACTOR,
+    FLEXIQUAD,
+    FORCE_RATIO,
+    FRAME_STIFFNESS,
+    GLANCING,
     MASS_RATIO,
     PEAK_RATIO,
     SPEED,
     VehicleRatio,
+    glancing_tables,
     hit_tables,
     locked_vehicle,
     one_arm_vehicle,
@@ -47,17 +52,26 @@ def test_the_sliding_arm_meets_the_obstacle_first(down: bool) -> None:
     assert state.velocity @ ahead == pytest.approx(SPEED)
 
 
+def test_a_glancing_hit_is_of_the_printed_mass_along_the_wall() -> None:
+    scenario = scenario_from(glancing_tables(FRAME_STIFFNESS, GLANCING[0]))
+    state = scenario.start_state()
+    assert scenario.vehicle.mass == pytest.approx(FLEXIQUAD)
+    assert math.hypot(*state.velocity) == pytest.approx(SPEED)
+    assert math.atan2(state.velocity.x, state.velocity.y) == pytest.approx(GLANCING[0])
+
+
 def test_the_page_divides_as_it_says() -> None:
     """Each row's ratio is that of its two numbers, and the verdict follows."""
     rows = re.findall(
-        r"\| ([\d.]+) m/s\S* \| ([\d.]+) m/s\S* \| ([\d.]+) \| (.*?) \|$",
+        r"\| ([\d.]+) (?:N|m/s\S*) \| ([\d.]+) (N|m/s\S*) \| ([\d.]+) \| (.*?) \|$",
         PAGE.read_text(encoding="utf-8"), re.M,
     )  # fmt: skip
-    assert len(rows) == 5
-    for soft, rigid, ratio, verdict in rows:
+    assert len(rows) == 8
+    for soft, rigid, unit, ratio, verdict in rows:
         found = VehicleRatio("", float(soft), float(rigid), "").value
-        assert found == pytest.approx(float(ratio), abs=0.01)
+        assert found == pytest.approx(float(ratio), rel=0.02)
         assert found < 1.0
         if verdict == "direction and factor":
-            assert PEAK_RATIO / FACTOR <= found <= PEAK_RATIO * FACTOR
-    assert [verdict for *_, verdict in rows].count("direction and factor") == 2
+            printed = FORCE_RATIO if unit == "N" else PEAK_RATIO
+            assert printed / FACTOR <= found <= printed * FACTOR
+    assert [verdict for *_, verdict in rows].count("direction and factor") == 5
