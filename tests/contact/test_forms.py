@@ -22,6 +22,7 @@ from builders.forms import (
     hills,
     hills_file,
     stl_bytes,
+    table_of,
 )
 from springback.contact.cage import Ring, contact_faces, obstacles_in_body_frame
 from springback.contact.grids.height_maps import height_file
@@ -37,6 +38,7 @@ from springback.contact.scene.faces import (
     no_faces,
     scene_faces,
 )
+from springback.contact.scene.solids import solid_face, solid_face_within
 from springback.contact.shapes import Box, ShapeSettings
 from springback.contact.unions import ShapeUnion
 from springback.contact.worlds import obstacles
@@ -253,6 +255,25 @@ def test_far_from_a_grid_the_distance_is_a_lower_bound_and_continuous(name: str)
             step = chance.normal(size=3) * 1e-7
             assert abs(face(shape, local(shape, q + step))[0] - gap) < 1e-6
     assert beyond > 100
+
+
+@pytest.mark.parametrize("name", ["heightmap", "box", "cells"])
+def test_beyond_what_may_touch_the_distance_is_a_bound(name: str) -> None:
+    """Less than a given distance it has the same bits; else it is neither less than that nor too high."""
+    shape, chance, seen = FORMS[name], np.random.default_rng(12), [0, 0, 0]
+    for _ in range(300):
+        point = Vec(*local(shape, chance.uniform(-0.7, 0.7, size=3)).tolist())
+        within = chance.uniform(0.02, 0.4)
+        exact = solid_face(table_of(shape), 0, point)
+        found = solid_face_within(table_of(shape), 0, point, within)
+        if exact.gap < within:
+            assert found == exact
+            seen[0] += 1
+        else:
+            assert within <= found.gap <= exact.gap + 1e-9
+            seen[1 if found.gap == exact.gap else 2] += 1
+    assert seen[0] > 50
+    assert seen[2] > (0 if name == "heightmap" else 20)  # of smooth hills it is mostly exact
 
 
 @pytest.mark.parametrize("name", ["box", "two boxes"])

@@ -11,11 +11,13 @@ import scipy.optimize
 import scipy.spatial
 
 from builders.cases import nonempty
-from builders.forms import face, folder
+from builders.forms import face, folder, table_of
 from springback.contact.grids.distance_grids import spline_values
 from springback.contact.grids.height_maps import height_file
 from springback.contact.grids.measured_shapes import HeightMap
 from springback.contact.library import WALL
+from springback.contact.scene.solids import solid_face_within
+from springback.kernels.vectors import Vec
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 #: Corners of a triangle.
@@ -72,6 +74,9 @@ def test_ground_with_sharp_hollows_and_ridges_is_as_far_as_the_nearest_of_its_po
             seen[1 if above else 2] += 1
             assert gap == pytest.approx(true if above else -true, abs=1e-6)
             assert np.linalg.norm(normal) == pytest.approx(1.0, abs=1e-9)
+        # Where nothing may touch, a bound suffices.
+        bound = solid_face_within(table_of(shape), 0, Vec(*q.tolist()), 0.1).gap
+        assert bound == gap if gap < 0.1 else 0.1 <= bound <= max(gap, 0.1)
     assert min(seen) > 3
 
 
