@@ -23,9 +23,10 @@ FRICTION = MU * MASS * G
 
 
 def thrown(speed: float, duration: float = 1.0, **model: Any) -> dict[str, Any]:
-    """A carriage thrown along a level rail, with nothing to hit."""
+    """A carriage thrown along a level rail, far from anything to hit: of the structure of `impact`."""
     return {
         "vehicle": "quad",
+        "world": {"obstacles": [{"type": "wall", "distance": 50.0, "surface": "wall"}]},
         "start": {"position": [0.0, 0.0, 1.0], "velocity": [speed, 0.0, 0.0]},
         "model": {"slider": [1.0, 0.0, 0.0], "slider_friction": FRICTION, **model},
         "simulation": {"duration": duration},
@@ -56,7 +57,7 @@ def residual(flight: Flight) -> float:
 
 @pytest.mark.parametrize("speed", [1.0, -0.6])
 def test_a_carriage_stops_after_the_way_of_coulombs_law(speed: float) -> None:
-    flight = fly(thrown(speed, 1.4), executor="python")
+    flight = fly(thrown(speed, 1.4))
     c = flight.columns
     assert np.sign(speed) * c["x"][-1] == pytest.approx(way(abs(speed)), rel=1e-6)
     assert np.sign(speed) * c["x"][-1] == pytest.approx(speed**2 / (2.0 * MU * G), rel=0.02)
@@ -67,7 +68,7 @@ def test_a_carriage_stops_after_the_way_of_coulombs_law(speed: float) -> None:
 
 
 def test_it_slows_at_a_constant_rate_and_the_accelerometer_feels_it() -> None:
-    flight = fly(thrown(2.0, 0.3), executor="python")
+    flight = fly(thrown(2.0, 0.3))
     felt = flight.specific_force()
     assert felt[:, 0] == pytest.approx(-MU * G, rel=2e-3)
     assert felt[:, 2] == pytest.approx(G, rel=1e-12)
@@ -79,7 +80,7 @@ def test_a_slope_holds_what_is_not_too_steep() -> None:
     for slope, slides in ((0.05, False), (0.3, True)):
         axis = [np.cos(slope), 0.0, -np.sin(slope)]
         tables = thrown(0.0, 0.8, slider=axis)
-        flight = fly(tables, executor="python")
+        flight = fly(tables)
         along = flight.columns["vx"][-1] / axis[0]
         push = np.sin(slope) / MU
         if slides:
@@ -133,7 +134,7 @@ def test_a_drop_along_a_rail_is_slower() -> None:
         for f in (FRICTION, 0.0)
     )
     assert fall.speed == pytest.approx(free.speed * np.sqrt(1.0 - MU), rel=1e-6)
-    flown = fly(tables | {"simulation": {"duration": 0.9 * fall.duration}}, executor="python")
+    flown = fly(tables | {"simulation": {"duration": 0.9 * fall.duration}})
     assert flown.columns["vz"][-1] == pytest.approx(-0.9 * fall.speed, rel=2e-3)
     held = tables | {"model": tables["model"] | {"slider_friction": 1.01 * MASS * G}}
     with pytest.raises(InputError, match=r"^model\.slider_friction: holds the vehicle"):

@@ -40,16 +40,12 @@ def _to_box(q: Array, low: Array, high: Array) -> Array:
 
 def _to_polygon(p: Array, corners: Array) -> Array:
     """Distance to a convex polygon in a plane, its corners counterclockwise."""
-    found, inside = np.full(p.shape[:-1], np.inf), np.ones(p.shape[:-1], dtype=bool)
-    for a, b in zip(corners, np.roll(corners, -1, axis=0), strict=True):
-        along = b - a
-        square = along @ along
-        share = (
-            np.clip((p - a) @ along / square, 0.0, 1.0) if square > 0.0 else np.zeros(p.shape[:-1])
-        )
-        found = np.minimum(found, np.linalg.norm(p - a - share[..., None] * along, axis=-1))
-        inside &= along[0] * (p[..., 1] - a[1]) - along[1] * (p[..., 0] - a[0]) >= 0.0
-    return np.where(inside, -found, found)
+    x, y = np.roll(corners, -1, axis=0).T - corners.T
+    square = x * x + y * y
+    px, py = p[..., :1] - corners[:, 0], p[..., 1:] - corners[:, 1]
+    share = np.clip((px * x + py * y) / np.where(square > 0.0, square, 1.0), 0.0, 1.0)
+    found = np.hypot(px - share * x, py - share * y).min(axis=-1)
+    return np.where((x * py - y * px >= 0.0).all(axis=-1), -found, found)
 
 
 def _moved_in(corners: Array, by: float) -> Array:
@@ -275,10 +271,9 @@ def least(bodies: list[Field]) -> Field:
 
 def gradient(field: Field, points: Array) -> Array:
     """Gradient by central differences, shape of the points."""
-    steps = TINY * np.eye(3)
-    return np.stack(
-        [(field(points + d) - field(points - d)) / (2.0 * TINY) for d in steps], axis=-1
-    )
+    steps = TINY * np.concatenate([np.eye(3), -np.eye(3)])
+    there = field(points + steps.reshape(6, *[1] * (points.ndim - 1), 3))
+    return np.asarray(np.moveaxis(there[:3] - there[3:], 0, -1) / (2.0 * TINY))
 
 
 # -- rings ----------------------------------------------------------------------------------------
@@ -325,7 +320,8 @@ def ring_minima(field: Field, rings: Rings, samples: int = 1440, steps: int = ST
     a, b = middle - width, middle + width
     for _ in range(steps):
         c, d = b - GOLDEN * (b - a), a + GOLDEN * (b - a)
-        left = field(rings.at(c)) < field(rings.at(d))
+        at_c, at_d = np.split(field(rings.at(np.concatenate([c, d], axis=1))), 2, axis=1)
+        left = at_c < at_d
         a, b = np.where(left, a, c), np.where(left, d, b)
     found = 0.5 * (a + b)
     gap = np.where(is_low, field(rings.at(found)), np.inf)
