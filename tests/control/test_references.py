@@ -166,7 +166,7 @@ BAD = {
         {"type": "waypoints", "positions": [[0, 0, 1], [1, 0, 1]], "times": [0, 1], "duration": 1},
         "give only one",
     ),
-    "pitch": ({"type": "run-up", "speed": 2, "pitch": "85 deg"}, "at most 1.4 rad"),
+    "pitch": ({"type": "run-up", "speed": 2, "pitch": "85 deg"}, "at most 80.2141 deg"),
     "speed": ({"type": "run-up", "speed": "-2 m/s"}, "more than 0 m/s"),
 }
 

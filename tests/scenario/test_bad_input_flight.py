@@ -85,7 +85,7 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
     "misspelt key": (KIND, KIND + "\nsteddy = 1", "reference.steddy", ("did you mean steady?",)),
     "run-up at rest": (SPEED, "speed = 0", "reference.speed", ("more than 0 m/s", "0 m/s")),
     "pitch beyond reason": (
-        SPEED, SPEED + '\npitch = "90 deg"', "reference.pitch", ("at most 1.4 rad", "90 deg"),
+        SPEED, SPEED + '\npitch = "90 deg"', "reference.pitch", ("at most 80.2141 deg", "90 deg"),
     ),
     "radius of nothing": (
         KIND + "\n" + SPEED, 'type = "circle"\nradius = 0', "reference.radius", ("more than 0 m",),
@@ -123,7 +123,7 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
         GAIN, 'offboard_delay = "0.5 ms"', "control.offboard_delay", ("whole number of ticks", "0.0005 s"),
     ),
     "tilt beyond level": (
-        GAIN, 'tilt_limit = "95 deg"', "control.tilt_limit", ("at most 1.55334 rad", "95 deg"),
+        GAIN, 'tilt_limit = "95 deg"', "control.tilt_limit", ("at most 89 deg", "95 deg"),
     ),
     "no time at all": (GAIN, "time_constant = 0", "control.time_constant", ("more than 0 s", "0 s")),
     "weight of yaw": (GAIN, "yaw_weight = 2", "control.yaw_weight", ("at most 1", "2")),
@@ -156,7 +156,7 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
         CAMERA, "loss_probability = 2", "sensors.motion_capture.loss_probability", ("at most 1", "2"),
     ),
     "noise below nothing": (
-        CAMERA, 'attitude_noise = "-1 deg"', "sensors.motion_capture.attitude_noise", ("at least 0 rad",),
+        CAMERA, 'attitude_noise = "-1 deg"', "sensors.motion_capture.attitude_noise", ("at least 0 deg",),
     ),
     "gyroscope beside the clock": (IMU, "rate = 300", "sensors.imu.rate", ("got 300 Hz", "250 Hz")),
     "misspelt device": (IMU, "gyro = 3", "sensors.imu.gyro", ("did you mean gyroscope?",)),
