@@ -343,10 +343,10 @@ MUTATED_LINES = (
     Mutation("axes of a solid, transposed", SOLIDS, "ex * n.x + ey * n.y + ez * n.z", "Vec(ex @ n, ey @ n, ez @ n)", SCENE),
     Mutation("tree, far half left out", NEAREST, "elif previous != far and", "elif previous == far and", SCENE),
     Mutation("tree, boxes too near", NEAREST, "square < gap * gap", "square < 0.5 * gap * gap", SCENE),
-    Mutation("scene, ring sees half", FACES, "nearest.gap + 2.0 * part.radius", "nearest.gap", SCENE),
+    Mutation("scene, ring sees half", FACES, "nearest, 2.0 * part.radius", "nearest, 0.0", SCENE),
     Mutation("scene, inner corner is one face", FACES, "if low.second.gap < FAR:", "if low.second.gap < -FAR:", SCENE),
     Mutation("scene, flush solids touch twice", FACES, "apart @ apart > APART * APART", "apart @ apart >= 0.0", SCENE),
-    Mutation("scene, clearance overstated", FACES, "bound = nearest.gap - part.radius", "bound = nearest.gap + part.radius", SCENE),
+    Mutation("scene, clearance overstated", FACES, "within = part.radius + known", "within = known - part.radius", SCENE),
     # what a robot makes of a collision
     Mutation("normal leans the other way", ACTION, "Vec(t.x * along, t.y * along, force.z)", "Vec(t.x * along, t.y * along, -force.z)", CHARACTER),
     Mutation("a pole has a common tangent", CHARACTERISATION, "tangent_normal(line.span, ahead), ahead)", "tangent_normal(line.span, ahead), tangent_normal(line.span, ahead))", CHARACTER),
