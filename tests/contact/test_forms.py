@@ -22,7 +22,6 @@ from builders.forms import (
     hills,
     hills_file,
     stl_bytes,
-    table_of,
 )
 from springback.contact.cage import Ring, contact_faces, obstacles_in_body_frame
 from springback.contact.grids.height_maps import height_file
@@ -38,7 +37,6 @@ from springback.contact.scene.faces import (
     no_faces,
     scene_faces,
 )
-from springback.contact.scene.solids import solid_face, solid_face_within
 from springback.contact.shapes import Box, ShapeSettings
 from springback.contact.unions import ShapeUnion
 from springback.contact.worlds import obstacles
@@ -257,28 +255,9 @@ def test_far_from_a_grid_the_distance_is_a_lower_bound_and_continuous(name: str)
     assert beyond > 100
 
 
-@pytest.mark.parametrize("name", ["heightmap", "box", "cells"])
-def test_beyond_what_may_touch_the_distance_is_a_bound(name: str) -> None:
-    """Less than a given distance it has the same bits; else it is neither less than that nor too high."""
-    shape, chance, seen = FORMS[name], np.random.default_rng(12), [0, 0, 0]
-    for _ in range(300):
-        point = Vec(*local(shape, chance.uniform(-0.7, 0.7, size=3)).tolist())
-        within = chance.uniform(0.02, 0.4)
-        exact = solid_face(table_of(shape), 0, point)
-        found = solid_face_within(table_of(shape), 0, point, within)
-        if exact.gap < within:
-            assert found == exact
-            seen[0] += 1
-        else:
-            assert within <= found.gap <= exact.gap + 1e-9
-            seen[1 if found.gap == exact.gap else 2] += 1
-    assert seen[0] > 50
-    assert seen[2] > (0 if name == "heightmap" else 20)  # of smooth hills it is mostly exact
-
-
 @pytest.mark.parametrize("name", ["box", "two boxes"])
 def test_beyond_a_grid_balls_and_other_thick_parts_meet_the_body_itself(name: str) -> None:
-    """Up to half a metre from a small body to 0.1 mm, and normals are gradients to 1e-8, mostly.
+    """Up to half a metre from a small body to 0.1 mm; normals are gradients, mostly to 1e-9, and to 0.1°.
 
     A bound by the grid's box is up to 12 mm too low there: a ball of 0.1 m touched so much early.
     """
@@ -305,7 +284,9 @@ def test_beyond_a_grid_balls_and_other_thick_parts_meet_the_body_itself(name: st
         slopes.append(float(np.abs(slope - normal).max()))
     assert np.abs(errors).max() < (1e-4 if name == "box" else 4e-4)
     assert np.quantile(np.abs(errors), 0.95) < 5e-5
-    assert np.quantile(slopes, 0.9) < 1e-8
+    assert np.quantile(slopes, 0.95) < 1e-9
+    # Between two bodies some places are equally far from both.
+    assert np.max(slopes) < (math.radians(0.1) if name == "box" else 0.01)
 
 
 def test_occupied_cells_end_at_their_faces() -> None:

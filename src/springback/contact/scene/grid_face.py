@@ -179,16 +179,12 @@ def _back(v: Vec, axis: int) -> Vec:
 
 
 @kernel
-def _side_of(q: Vec, entry: Vec, half: Vec) -> int:
-    """Axis of the side through which a way enters; -1 within the box."""
-    axis, least = -1, 1e-9
-    for k in range(3):
-        at, p, h = _turned(q, k), _turned(entry, k), _turned(half, k)
-        off = at.x - p.x if at.x > p.x else p.x - at.x
-        inside = h.x - p.x if p.x > 0.0 else h.x + p.x
-        if (inside <= 1e-12) & (off > least):
-            axis, least = k, off
-    return axis
+def _enters_by(q: Vec, entry: Vec, half: Vec, axis: int) -> bool:
+    """True for a way from outside that enters the box by one of the two sides across an axis."""
+    at, p, h = _turned(q, axis), _turned(entry, axis), _turned(half, axis)
+    off = at.x - p.x if at.x > p.x else p.x - at.x
+    inside = h.x - p.x if p.x > 0.0 else h.x + p.x
+    return (inside <= 1e-12) & (off > 1e-9)
 
 
 class _Lean(NamedTuple):
@@ -206,14 +202,13 @@ def _lean(off: float, n: Vec) -> _Lean:
 
 
 @kernel
-def _polished(q: Vec, begin: _GridWay, half: Vec, table: float) -> _GridWay:
-    """The shortest way through the side of the box that a way takes: its length is then stationary.
+def _polished(q: Vec, begin: _GridWay, half: Vec, table: float, axis: int) -> _GridWay:
+    """The shortest way through a side of the box, if a way enters there: its length is stationary.
 
     So the way's direction is the gradient of its length, whatever the grid's errors.
     """
-    best, axis = begin, _side_of(q, begin.entry, half)
-    at, box = _turned(q, axis), _turned(half, axis)
-    for _ in range(POLISHES if axis >= 0 else 0):
+    best, at, box = begin, _turned(q, axis), _turned(half, axis)
+    for _ in range(POLISHES if _enters_by(q, begin.entry, half, axis) else 0):
         p = _turned(best.entry, axis)
         off = at.x - p.x if at.x > p.x else p.x - at.x
         here = _lean(off, _turned(best.face.normal, axis))
@@ -237,6 +232,32 @@ def _polished(q: Vec, begin: _GridWay, half: Vec, table: float) -> _GridWay:
         if abs(y - p.y) + abs(z - p.z) <= LAST:
             break
     return best
+
+
+@kernel
+def _along_edge(q: Vec, begin: _GridWay, half: Vec, table: float, axis: int) -> _GridWay:
+    """The shortest way through the edge of the box along an axis, if it is shorter than another."""
+    at, box = _turned(q, axis), _turned(half, axis)
+    y, z = _into_box(at.y, box.y), _into_box(at.z, box.z)
+    if (y == at.y) | (z == at.z):  # ways lead past all edges along this axis
+        return begin
+    off = math.sqrt((at.y - y) * (at.y - y) + (at.z - z) * (at.z - z))
+    best = _way(q, _back(Vec(_turned(begin.entry, axis).x, y, z), axis), half, table)
+    for _ in range(POLISHES):
+        from_x = _turned(best.entry, axis).x
+        beside = grid_face(_back(Vec(from_x + BESIDE, y, z), axis), half, table)
+        here = _lean(off, Vec(0.0, _turned(best.face.normal, axis).x, 0.0)).y
+        rises = 1.0 + (_lean(off, Vec(0.0, _turned(beside.normal, axis).x, 0.0)).y - here) / BESIDE
+        if rises <= 0.0:
+            break
+        x = _into_box(from_x - (from_x - at.x + here) / rises, box.x)
+        tried = _way(q, _back(Vec(x, y, z), axis), half, table)
+        if tried.length > best.length + 1e-9:
+            break
+        best = tried
+        if abs(x - from_x) <= LAST:
+            break
+    return best if best.length < begin.length else begin
 
 
 @called_kernel
@@ -264,7 +285,10 @@ def grid_distance(q: Vec, half: Vec, table: float, within: float) -> Face:
         moved = best.entry - before
         if moved @ moved <= BESIDE * BESIDE:
             break
-    best = _polished(q, best, half, table)
+    for axis in range(3):
+        best = _polished(q, best, half, table, axis)
+    for axis in range(3):
+        best = _along_edge(q, best, half, table, axis)
     away = q - best.entry
     length = math.sqrt(away @ away)
     if (length <= 0.0) | (best.length < bound.gap):
