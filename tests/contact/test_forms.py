@@ -211,7 +211,11 @@ def test_a_meshed_ball_is_as_far_as_a_ball() -> None:
 
 
 def test_the_error_of_a_meshed_box_is_where_it_is_said_to_be() -> None:
-    """At faces, four cells from the edges, below 1 % of a cell; nowhere at the surface above its bound."""
+    """At faces, four cells from the edges, none; nowhere at the surface above its bound.
+
+    Edges are rounded by up to 0.4 of a cell.  A spline through the values rounds them by 0.2, but
+    ripples beneath them: forces are then 20 % off, and energy is not conserved.
+    """
     shape = FORMS["box"]
     assert isinstance(shape, MeshBody)
     half, cell, chance = np.array([0.25, 0.2, 0.15]), shape.form().cell, np.random.default_rng(6)
@@ -224,14 +228,14 @@ def test_the_error_of_a_meshed_box_is_where_it_is_said_to_be() -> None:
         order = np.sort(np.abs(np.abs(q) - half))
         if abs(true) < 1.5 * cell:
             close += 1
-            assert abs(gap - true) < 0.2 * cell
+            assert abs(gap - true) < 0.4 * cell
             if order[1] > 6.0 * cell and true < order[0] + 1e-12:
                 flat += 1
-                assert abs(gap - true) < 0.01 * cell
+                assert abs(gap - true) < 1e-8  # an STL has 24 bits
     assert close > 100
     assert flat > 30
-    assert shape.form().error < 0.02 * cell
-    assert shape.form().largest < 0.2 * cell
+    assert shape.form().error < 0.04 * cell
+    assert shape.form().largest < 0.4 * cell
 
 
 @pytest.mark.parametrize("name", ["box", "ball", "cells"])
@@ -257,7 +261,7 @@ def test_far_from_a_grid_the_distance_is_a_lower_bound_and_continuous(name: str)
 
 @pytest.mark.parametrize("name", ["box", "two boxes"])
 def test_beyond_a_grid_balls_and_other_thick_parts_meet_the_body_itself(name: str) -> None:
-    """Up to half a metre from a small body to 0.1 mm; normals are gradients, mostly to 1e-9, and to 0.1°.
+    """Up to half a metre from a small body to 0.1 cells; normals are gradients, mostly to 1e-9, and to 0.1°.
 
     A bound by the grid's box is up to 12 mm too low there: a ball of 0.1 m touched so much early.
     """
@@ -282,8 +286,7 @@ def test_beyond_a_grid_balls_and_other_thick_parts_meet_the_body_itself(name: st
         steps = 1e-6 * np.eye(3)
         slope = [(face(shape, q + d)[0] - face(shape, q - d)[0]) / 2e-6 for d in steps]
         slopes.append(float(np.abs(slope - normal).max()))
-    assert np.abs(errors).max() < (1e-4 if name == "box" else 4e-4)
-    assert np.quantile(np.abs(errors), 0.95) < 5e-5
+    assert np.abs(errors).max() < 0.1 * shape.form().cell
     assert np.quantile(slopes, 0.95) < 1e-9
     # Between two bodies some places are equally far from both.
     assert np.max(slopes) < (math.radians(0.1) if name == "box" else 0.01)

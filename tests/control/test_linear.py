@@ -172,7 +172,7 @@ def test_settings_take_units_and_refuse_what_cannot_be() -> None:
     given = ControlSettings(rate_limit="220 deg/s", stiffness="9.25 N/m", offboard_delay="10 ms")
     assert given == ControlSettings()
     for bad, part in (
-        ({"tilt_limit": "95 deg"}, "at most 1.55"),
+        ({"tilt_limit": "95 deg"}, "at most 89 deg"),
         ({"time_constant": 0.0}, "more than 0 s"),
         ({"yaw_weight": 1.5}, "at most 1"),
         ({"atitude": "lee"}, "did you mean attitude"),

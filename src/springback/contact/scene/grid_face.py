@@ -1,10 +1,10 @@
 """Distance from a body of any form, by a grid of distances that is read between its nodes.
 
 The numbers of a grid are a table of their own, so that bodies of one form share it wherever they
-are: coefficients of a cubic B-spline in three dimensions, whose value at each node is the signed
-distance there.  Value and gradient are continuous, and the gradient is exactly that of the value,
-so the work of a contact is exact, although the distance is not.  M. Unser, "Splines: a perfect
-fit for signal and image processing" (1999).
+are: coefficients of a cubic B-spline in three dimensions along the signed distances at its nodes
+(`springback.contact.grids.distance_grids`).  Value and gradient are continuous, and the gradient is
+exactly that of the value, so the work of a contact is exact, although the distance is not.
+M. Unser, "Splines: a perfect fit for signal and image processing" (1999).
 
 Beyond the grid's box `grid_face` is a lower bound: the nearest point of the box and the distance
 from there are at right angles or more.  `grid_distance` is the distance there, too: the way to the
