@@ -356,7 +356,7 @@ def test_probabilities_and_unknown_cells() -> None:
 
 def grid(value: float = 1.0) -> DistanceGrid:
     """A small grid."""
-    return DistanceGrid(np.zeros(3), 0.1, np.full((3, 3, 3), value), np.zeros(2))
+    return DistanceGrid(np.zeros(3), 0.1, np.full((3, 3, 3), value), np.zeros(2), 0.0)
 
 
 def test_a_grid_is_made_once_and_again_if_its_file_is_damaged() -> None:

@@ -98,6 +98,11 @@ def tables_held() -> Iterator[None]:
         _KEEPERS.remove(keeper)
 
 
+def numbers_of(table: float) -> Numbers:
+    """All numbers of a table, in plain Python."""
+    return _TABLES[table]
+
+
 def number_at(table: float, k: int) -> float:
     """Number ``k`` of a table."""
     return float(_TABLES[table][k])

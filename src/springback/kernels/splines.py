@@ -8,11 +8,12 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numba
+import numpy as np
 from llvmlite import ir
 from numba import types
 
 from springback.kernels.compiler import compiler_rule, kernel
-from springback.kernels.routines import number_at, number_pointer
+from springback.kernels.routines import Numbers, number_at, number_pointer, numbers_of
 
 _intrinsic: Any = numba.extending.intrinsic
 _tuple_of: Any = types.UniTuple
@@ -59,6 +60,11 @@ def blend(w: Four, p: Four, q: Four, r: Four, s: Four) -> Four:
     )
 
 
+def _sum_of_rows(w: Four, rows: Numbers) -> Numbers:
+    """Sum of four rows with weights."""
+    return np.asarray(w.a * rows[0] + w.b * rows[1] + w.c * rows[2] + w.d * rows[3])
+
+
 def spline_sums(
     table: float, k: int, line: int, page: int, wx: Four, wy: Four, sx: Four, sy: Four
 ) -> SplineSums:
@@ -74,15 +80,14 @@ def spline_sums(
         sx: Slopes of the weights along x.
         sy: Slopes of the weights along y.
     """
-    values, slopes = list[Four](), list[Four]()
-    for i in range(4):
-        first = k + i * page
-        rows = [four_at(table, first + j * line) for j in range(4)]
-        values.append(blend(wy, rows[0], rows[1], rows[2], rows[3]))
-        slopes.append(blend(sy, rows[0], rows[1], rows[2], rows[3]))
-    a, b, c, d = values
-    p, q, r, s = slopes
-    return SplineSums(blend(wx, a, b, c, d), blend(sx, a, b, c, d), blend(wx, p, q, r, s))
+    numbers = numbers_of(table)
+    strides = tuple(numbers.itemsize * step for step in (page, line, 1))
+    cube = np.ndarray((4, 4, 4), numbers.dtype, numbers, k * numbers.itemsize, strides)
+    along_y = cube.swapaxes(0, 1)
+    values, slopes = _sum_of_rows(wy, along_y), _sum_of_rows(sy, along_y)
+    sums = _sum_of_rows(wx, values), _sum_of_rows(sx, values), _sum_of_rows(wx, slopes)
+    value, x, y = (Four(*one.tolist()) for one in sums)
+    return SplineSums(value, x, y)
 
 
 @_intrinsic  # type: ignore[untyped-decorator]

@@ -127,9 +127,12 @@ def _contacts(flight: FlightResult) -> list[Event]:
         which = "" if len(impacts) == 1 else f" {number}"
         speed = float(np.sqrt(sum(np.interp(begin, c["t"], c[f"v{a}"]) ** 2 for a in "xyz")))
         sentence = f"{'first touch' if number == 1 else 'touches again'}, at {speed:.2f} m/s"
-        if number == 1 and _beside_movers(flight) and flight.touch_speed is not None:
-            speed = flight.touch_speed
+        along = flight.touch_speed if number == 1 else None
+        if along is not None and _beside_movers(flight):
+            speed = along
             sentence = f"first touch, at {speed:.2f} m/s along the normal, relative to it"
+        elif along is not None and abs(along - speed) > 0.01 * speed:
+            sentence += f", {along:.2f} m/s of it along the normal (touch_speed)"
         found.append(Event(begin, "touch", f"touch{which}", sentence, value=speed))
         if end < c["t"][-1] or not felt[-1]:
             sentence = f"separates after {1e3 * (end - begin):.1f} ms"

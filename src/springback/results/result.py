@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from springback.contact.shapes import ShapeSettings, distance_around
+from springback.contact.thin_obstacles import thin_obstacles
 from springback.contact.worlds import Own
 from springback.errors import (
     CommandWarning,
@@ -23,7 +24,7 @@ from springback.results.measures import FlightMeasures
 from springback.results.meshes import Mesh, surfaces_of
 from springback.results.recovery_measures import RECOVERY_MEASURES
 from springback.scenario.scenario import Scenario
-from springback.scenario.worlds.imported import single_obstacles
+from springback.scenario.worlds.imported import named_obstacles
 from springback.simulation.measuring.measures import FAILURES, MEASURES, Outcome
 from springback.vehicle.state import reach
 
@@ -34,8 +35,6 @@ if TYPE_CHECKING:
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
-#: Share of the depth of the middle from which a contact is taken as pierced (chosen).
-PIERCED = 0.95
 #: Places of a trajectory that are looked at (chosen).
 PLACES = 1000
 #: Measures that are printed, those of a recovery last.
@@ -165,18 +164,12 @@ class FlightResult(FlightMeasures):
     def _pierced(self) -> str | None:
         """Warning about an obstacle on the way that is thinner than twice the penetration."""
         depth = self.measures.get("penetration") or 0.0
-        for k, entry in enumerate(self.scenario.world.obstacles):
-            for one in single_obstacles([entry]):
-                if not isinstance(one, ShapeSettings):
-                    continue
-                middle = one.middle_depth()
-                if depth > PIERCED * middle and self._comes_near(one):
-                    return (
-                        f"a contact came {1e3 * depth:.3g} mm deep, and the middle of "
-                        f"world.obstacles[{k}], a {entry.type}, is some {1e3 * middle:.3g} mm "
-                        "below its surface: beyond that it is pushed out on the other side, and "
-                        "what follows is not to be trusted; make it thicker or stiffer"
-                    )
+        for one in thin_obstacles(named_obstacles(self.scenario.world.obstacles)):
+            if one.is_pierced(depth) and self._comes_near(one.shape):
+                return (
+                    f"a contact came {1e3 * depth:.3g} mm deep, and {one.sentence}; what follows "
+                    "is not to be trusted"
+                )
         return None
 
     def _comes_near(self, shape: ShapeSettings) -> bool:
@@ -210,7 +203,10 @@ class FlightResult(FlightMeasures):
         lines = [f"Flight {self.scenario.name!r}: {self.outcome.word} ({self.message})"]
         shown = self.readable_measures()
         width = max(len(line.name) for line in shown)
+        rebound = self.measures.get("restitution_at_separation")
+        passed = rebound is not None and rebound < 0.0
         whys = {
+            "restitution_at_separation": "; below 0: it left past what it hit" * passed,
             "peak_acceleration": self._later_peak(),
             "impact_arm_stroke": self._bottomed(),
             "broken_time": "".join(f", {part}" for part in self.broken_parts),

@@ -22,6 +22,7 @@ from springback.sensing.library import ESTIMATORS
 from springback.vehicle.arms.settings import OF_SLIDES
 from springback.vehicle.force_laws import REMEMBERING
 from springback.vehicle.library import VEHICLES
+from springback.vehicle.materials import MATERIALS
 
 #: A surface of the user's own.
 _OWN_SURFACE = '{ preset = "wall", stiffness = 2e6, friction = 0.6 }'
@@ -43,6 +44,8 @@ def preset(kind: str, name: str, known: Mapping[str, Any]) -> Any:
     near = nearest_name(name, known)
     hint = f"did you mean {near}? " if near else ""
     own = f"; or write a table, such as {_OWN_SURFACE}" if kind == "surface" else ""
+    if kind == "surface" and name in MATERIALS:
+        own += f"; {name} is a material, whose numbers `springback show {name}` lists"
     raise InputError(
         f"unknown {kind} preset {shown_value(name)}; {hint}known: {', '.join(known)}{own}"
     )

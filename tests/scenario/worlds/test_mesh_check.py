@@ -45,13 +45,17 @@ def test_a_mesh_of_which_coarse_cells_leave_nothing_is_refused(tmp_path: Path) -
         scenario_from({"vehicle": "arq", "world": {"obstacles": [union]}})
 
 
-def test_a_mesh_thinner_than_two_cells_is_warned_of(tmp_path: Path) -> None:
+def test_a_mesh_whose_parts_are_thin_for_its_cells_is_warned_of(tmp_path: Path) -> None:
+    """Whatever its size is: of a frame, its bars count.  Of itself a mesh gets cells that do."""
+    begin = "world.obstacles[0]: cells of {} m are coarse for a mesh whose thinnest parts are 0.02 m thick"
     [warning] = scenario_warnings(_plate(tmp_path, cell=0.013))
     assert warning == (
-        "world.obstacles[0]: cells of 0.013 m are coarse for a mesh of 0.02 x 0.5 x 0.4 m: parts "
-        "thinner than two, 0.026 m, are lost; give a cell of at most 0.01 m"
+        f"{begin.format(0.013)}: forces on them are up to 30 % wrong, and parts thinner than "
+        "two cells are lost; give a cell of at most 0.0025 m"
     )
-    assert scenario_warnings(_plate(tmp_path, cell=0.009)) == []
+    [warning] = scenario_warnings(_plate(tmp_path, cell=0.009))
+    assert warning.startswith(f"{begin.format(0.009)}: forces on them are up to 30 % wrong; give")
+    assert scenario_warnings(_plate(tmp_path, cell=0.0033)) == []
     assert scenario_warnings(_plate(tmp_path)) == []
 
 

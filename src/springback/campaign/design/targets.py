@@ -128,7 +128,10 @@ def _of_the_wall(word: str, scenario: Scenario) -> TargetField:
     kinds = [obstacle.type for obstacle in scenario.world.obstacles]
     index = next((k for k, kind in enumerate(kinds) if kind in ("wall", "mat")), None)
     if index is None:
-        raise InputError("needs a wall or a mat in world.obstacles")
+        raise InputError(
+            "needs a wall or a mat in world.obstacles; with other shapes write "
+            'scatter = {preset = "trials", wall_distance = 0, wall_yaw = 0}'
+        )
     moved, unit = (_rotate, "rad") if word == WALL_ANGLE else (_shift, "m")
 
     def place(world: Any, value: float) -> Any:

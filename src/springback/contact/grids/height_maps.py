@@ -11,6 +11,7 @@ import numpy as np
 import scipy  # submodules are loaded on first use
 
 from springback.contact.grids.data_files import npy_array, suffix_of
+from springback.contact.grids.distance_grids import coefficients
 from springback.contact.grids.images import grey_image
 from springback.contact.grids.occupancy import new_file
 from springback.contact.scene.height_face import COEFFICIENTS, PER_CELL, RIDGES
@@ -25,8 +26,6 @@ MOST_POINTS, FEWEST = 4_000_000, 4
 #: Share of the smallest radius of hollows, or ridges, within which the nearest point is taken for
 #: unique (chosen).
 SURELY = 0.9
-#: Points by which heights are continued: the coefficients then do not feel their end (chosen).
-BEYOND = 12
 
 
 class HeightForm(NamedTuple):
@@ -93,7 +92,7 @@ def height_form(heights: Array, apart: Array, depth: float) -> HeightForm:
         apart: Distances of the points along x and y [m].
         depth: From the lowest point to the bottom [m].
     """
-    spline = _coefficients(heights)
+    spline = coefficients(heights)
     low, high = float(spline.min()) - depth, float(spline.max())
     middle, nodes = 0.5 * (low + high), np.array(heights.shape) - 1
     x, y = (0.5 * apart * nodes).tolist()
@@ -104,17 +103,6 @@ def height_form(heights: Array, apart: Array, depth: float) -> HeightForm:
     table = NumberTable(np.concatenate([head, centred.ravel(), _cell_bounds(centred).ravel()]))
     share, reach = 1.0 / math.hypot(1.0, _steepest(spline, apart)), _unique(spline, apart)
     return HeightForm((x, y, 0.5 * (high - low)), middle, table, share, reach, spline)
-
-
-def _coefficients(heights: Array) -> Array:
-    """Coefficients of the bicubic B-spline through heights, with one more on each side.
-
-    Beyond the points the heights go on turned about the last one, so that a slope goes on, too.
-    """
-    room = [min(BEYOND, n - 1) for n in heights.shape]
-    wide = np.pad(heights, [(k, k) for k in room], mode="reflect", reflect_type="odd")
-    found = scipy.ndimage.spline_filter(wide, order=3, output=np.float64, mode="mirror")
-    return np.ascontiguousarray(found[tuple(slice(k - 1, 1 - k or None) for k in room)])
 
 
 def _unique(spline: Array, apart: Array) -> float:

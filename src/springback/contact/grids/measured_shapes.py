@@ -14,7 +14,7 @@ from springback.contact.grids.closed_meshes import closed_mesh
 from springback.contact.grids.data_files import checked_content, file_bytes
 from springback.contact.grids.distance_grids import (
     DistanceGrid,
-    cell_of,
+    fitting_cell,
     grid_of_cells,
     grid_of_mesh,
 )
@@ -104,13 +104,18 @@ class GridForm(NamedTuple):
     error: float  # root of the mean square at the surface; NaN if unknown [m]
     largest: float  # the same, largest [m]
     deepest: float  # distance of its innermost node from the surface [m]
+    thinnest: float  # thickness of its thinnest parts; NaN if unknown [m]
+    holds_to: float  # depth of contacts to which forces on them hold [m]
 
 
 def _grid_form(grid: DistanceGrid) -> GridForm:
     x, y, z = grid.half.tolist()
     rms, largest = grid.error.tolist()
     nodes, deepest = grid.values.size, -float(grid.values.min())
-    return GridForm(grid.centre, (x, y, z), grid.table(), grid.cell, nodes, rms, largest, deepest)
+    return GridForm(
+        grid.centre, (x, y, z), grid.table(), grid.cell, nodes, rms, largest, deepest,
+        grid.thinnest, grid.holds_to,
+    )  # fmt: skip
 
 
 class GridShape(FormShape):
@@ -121,8 +126,8 @@ class GridShape(FormShape):
         """Its numbers."""
 
     def middle_depth(self) -> float:
-        """Depth of its innermost node below its surface [m]."""
-        return self.form().deepest
+        """Depth to which forces on its thinnest parts hold [m]."""
+        return self.form().holds_to
 
     def bodies(self) -> list[SolidShape]:
         """Its solids."""
@@ -140,7 +145,8 @@ class MeshBody(GridShape):
     scale: Annotated[float, Unit("", above=0.0)] = 1.0
     """Metres in one unit of the file: 0.001 for millimetres."""
     cell: Length | None = None
-    """Length of the grid's cells; by default such that the grid has some 400 000 nodes."""
+    """Length of the grid's cells; by default such that the grid has some 400 000 nodes, or
+    up to 3 million if parts are thin."""
 
     def form(self) -> GridForm:
         """Its numbers."""
@@ -202,7 +208,7 @@ def _triangles(file: str, content: str, scale: float) -> Triangles:
 def _mesh_form(file: str, content: str, scale: float, cell: float | None) -> GridForm:
     def make() -> DistanceGrid:
         mesh = _triangles(file, content, scale)
-        return grid_of_mesh(mesh, cell_of(mesh) if cell is None else cell)
+        return grid_of_mesh(mesh, fitting_cell(mesh) if cell is None else cell)
 
     key = json.dumps(["mesh", content, scale, cell])
     return _grid_form(stored_grid(key, make))

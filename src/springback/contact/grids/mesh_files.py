@@ -19,6 +19,8 @@ Cells = np.ndarray[Any, np.dtype[np.intp]]
 
 #: Most triangles (chosen: their distances then take some minutes).
 MOST_TRIANGLES = 2_000_000
+#: Triangles that the head of a damaged binary STL may tell of: more are other bytes (chosen).
+MOST_TOLD = 100_000_000
 #: Bytes of a binary STL before its triangles, and of each.
 _HEAD = 84
 _FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("unused", "<u2")])
@@ -85,7 +87,7 @@ def _stl(file: str, data: bytes) -> Triangles:
             _check_count(file, count)
             return _of_corners(np.frombuffer(data, _FACET, count, _HEAD)["corners"])
     if data.lstrip()[:5].lower() != b"solid" or b"facet" not in data[:4096]:
-        if len(data) >= _HEAD:
+        if len(data) >= _HEAD and count <= MOST_TOLD:
             raise problem(
                 f"{file}: is damaged: a binary STL of {count} triangles has "
                 f"{_HEAD + count * _FACET.itemsize} bytes (got {len(data)})",

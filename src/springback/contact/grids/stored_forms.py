@@ -24,7 +24,7 @@ from springback.errors import CacheWarning
 from springback.files import write_atomically
 
 #: Number of the form of the files, and of what computes them: a change makes them anew.
-VERSION = 4
+VERSION = 5
 _DIGEST = 32
 #: Longest wait for another process that computes the same [s] (chosen).
 _PATIENCE = 600.0
@@ -87,8 +87,9 @@ def _read(path: Path) -> DistanceGrid | None:
             raise ValueError("it is damaged")
         with np.load(io.BytesIO(data[_DIGEST:]), allow_pickle=False) as arrays:
             return DistanceGrid(
-                arrays["low"], float(arrays["cell"]), arrays["values"], arrays["error"]
-            )
+                arrays["low"], float(arrays["cell"]), arrays["values"], arrays["error"],
+                float(arrays["thinnest"]),
+            )  # fmt: skip
     except Exception as error:  # whatever a foreign file causes
         what = " ".join(str(error).split())[:120]
         _warn(f"{path}: kept grid ignored ({what}); it is made anew")
@@ -97,7 +98,7 @@ def _read(path: Path) -> DistanceGrid | None:
 
 def _write(path: Path, grid: DistanceGrid) -> None:
     stream: Any = io.BytesIO()
-    np.savez(stream, low=grid.low, cell=grid.cell, values=grid.values, error=grid.error)
+    np.savez(stream, **grid._asdict())
     data = stream.getvalue()
     try:
         write_atomically(path, hashlib.sha256(data).digest() + data, mode=0o644)

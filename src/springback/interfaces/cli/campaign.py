@@ -165,14 +165,19 @@ def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> 
 
 
 def _report(flown: Any, output: Output) -> None:
-    from springback.interfaces.output.no_contact import pressing_line, untouched_line
+    from springback.interfaces.output.no_contact import (
+        pierced_line,
+        pressing_line,
+        untouched_line,
+    )
     from springback.interfaces.output.tables import as_text
 
     sql = "SELECT robot, outcome, count(*) AS flights FROM flights GROUP BY ALL ORDER BY ALL"
     answer = flown.query(sql)
     data = {"folder": str(output.out), "flights": flown.done, "outcomes": answer.as_dicts()}
     output.print(data, as_text(answer.columns, answer.rows))
-    for line in filter(None, (untouched_line(flown), pressing_line(flown))):
+    said = (say(flown) for say in (untouched_line, pressing_line, pierced_line))
+    for line in filter(None, said):
         output.note(line)
     output.note(f"{flown.done} flights in {output.out}; see springback summary {output.out}")
 

@@ -1,4 +1,4 @@
-"""Lines on flights that touch nothing, or that end in contact: what to change."""
+"""Lines on flights that touch nothing, end in contact, or go through: what to change."""
 
 from __future__ import annotations
 
@@ -6,7 +6,10 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from springback.contact.thin_obstacles import PIERCED, ThinObstacle, thin_obstacles
 from springback.errors import InputError
+from springback.scenario.scenario import scenario_from
+from springback.scenario.worlds.imported import named_obstacles
 
 if TYPE_CHECKING:
     from springback.campaign.access import Campaign
@@ -160,6 +163,30 @@ def pressing_line(campaign: Campaign) -> str:
     return (
         f"{pressing} of {won} successes ended in contact with an obstacle (in_contact), which the "
         'usual rule allows; success = ["separated or no_contact"] leaves them out'
+    )
+
+
+def pierced_line(campaign: Campaign) -> str:
+    """Line on flights whose contacts may have reached the other side of an obstacle; else empty.
+
+    Where fields of obstacles vary, those of the scenario count.
+    """
+    thin: list[ThinObstacle] = []
+    for base in campaign.design.bases:
+        try:
+            thin += thin_obstacles(named_obstacles(scenario_from(base).world.obstacles))
+        except InputError:  # fields of the plan complete it
+            continue
+    if not thin:
+        return ""
+    first = min(thin, key=lambda one: one.depth)
+    sql = "SELECT count(*), max(penetration) FROM flights WHERE penetration > ?"
+    [(pierced, deepest)] = campaign.query(sql, [PIERCED * first.depth]).rows
+    if not pierced:
+        return ""
+    return (
+        f"{pierced} flights came up to {1e3 * deepest:.3g} mm deep, and {first.sentence}; those "
+        f"that met it are not to be trusted (penetration > {PIERCED * first.depth:.4g} m)"
     )
 
 

@@ -10,7 +10,7 @@ from springback.campaign.analysis.levels import FieldSummary
 from springback.campaign.analysis.statistics import Summary
 from springback.campaign.analysis.worst_case import WorstCase, WorstCaseMap
 from springback.files import write_json
-from springback.interfaces.output.no_contact import pressing_line, untouched_line
+from springback.interfaces.output.no_contact import pierced_line, pressing_line, untouched_line
 from springback.interfaces.output.tables import as_text
 from springback.interfaces.output.worst_case import answer_lines, answer_table
 from springback.interfaces.reports.measures import MeasureReport, measure_report
@@ -35,7 +35,8 @@ def summary_text(
     """Summary for a terminal; see `write_summary`."""
     about = found.campaign.metadata
     done, of = found.campaign.done, about["flights"]
-    remarks = filter(None, (untouched_line(found.campaign), pressing_line(found.campaign)))
+    said = (say(found.campaign) for say in (untouched_line, pressing_line, pierced_line))
+    remarks = filter(None, said)
     state = "complete" if done == of else f"{100.0 * done / of:.1f} %, continue with --resume"
     lines = [
         f"{about['name']}: {done} of {of} flights ({state})",

@@ -20,7 +20,7 @@ from springback.interfaces.figures import measures as measure_figures
 from springback.interfaces.figures import style
 from springback.interfaces.figures.worst_case import worst_case_figure, worst_case_map_figure
 from springback.interfaces.output.folders import file_stem
-from springback.interfaces.output.no_contact import pressing_line, untouched_line
+from springback.interfaces.output.no_contact import pierced_line, pressing_line, untouched_line
 from springback.interfaces.output.robots import robot_label, with_labels
 from springback.interfaces.output.worst_case import answer_lines, answer_table
 from springback.interfaces.reports.measures import MeasureReport
@@ -216,6 +216,7 @@ def _sections(
             "refusal": f": {found.refusal}" if found.refusal else "",
             "untouched": _plain(untouched_line(found.campaign)),
             "pressing": _plain(pressing_line(found.campaign)),
+            "pierced": _plain(pierced_line(found.campaign)),
             "pairs": [_plain(pair.sentence()) + "." for pair in found.pairs],
             "first": [pictures[name] for name in ("marginals",) if name in pictures],
         },

@@ -6,7 +6,7 @@ import fnmatch
 import functools
 import hashlib
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, Literal, NamedTuple, get_args
 
@@ -221,6 +221,13 @@ def single_obstacles(obstacles: Iterable[Any]) -> tuple[Any, ...]:
     for one in obstacles:
         found += [part.obstacle for part in one.parts] if isinstance(one, Imported) else [one]
     return tuple(found)
+
+
+def named_obstacles(obstacles: Sequence[Any]) -> Iterator[tuple[str, Any]]:
+    """Obstacles as of `single_obstacles`, each with its name in a sentence."""
+    for k, entry in enumerate(obstacles):
+        for one in single_obstacles([entry]):
+            yield f"world.obstacles[{k}], a {entry.type}", one
 
 
 #: Tables of contents, by identity.

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from springback.contact.grids.distance_grids import ACROSS
 from springback.contact.grids.measured_shapes import MeshBody
 from springback.contact.unions import ShapeUnion
 from springback.scenario.worlds.imported import Imported
@@ -14,6 +15,8 @@ from springback.settings import problem
 
 #: Size of a mesh from which its file may be in millimetres [m] (chosen: larger than most halls).
 LARGE = 50.0
+#: Fewest cells across the thinnest parts without a warning (chosen).
+COARSE = 6.0
 #: Meshes whose sizes are remembered (chosen).
 LATEST = 64
 _KNOWN: dict[tuple[Any, ...], tuple[tuple[float, ...], float, float]] = {}
@@ -51,12 +54,12 @@ def mesh_warnings(obstacles: Sequence[Any]) -> list[str]:
                 f"{name}: nothing is left of its mesh of {_by(size)} m, as cells of {cell:.3g} m "
                 "are too coarse; use a box, or an obstacle of type mesh with a smaller cell"
             )
-        elif 2.0 * cell > min(size) or deepest < 0.5 * cell:
-            enough = 0.5 * (min(size) if 2.0 * cell > min(size) else cell)
+        elif cell * COARSE > (thin := mesh.form().thinnest):
+            lost = ", and parts thinner than two cells are lost" if 2.0 * cell > thin else ""
             found.append(
-                f"{name}: cells of {cell:.3g} m are coarse for a mesh of {_by(size)} m: parts "
-                f"thinner than two, {2.0 * cell:.3g} m, are lost; give a cell of at most "
-                f"{enough:.3g} m"
+                f"{name}: cells of {cell:.3g} m are coarse for a mesh whose thinnest parts are "
+                f"{thin:.3g} m thick: forces on them are up to 30 % wrong{lost}; give a cell "
+                f"of at most {thin / ACROSS:.3g} m"
             )
     return found
 
