@@ -234,7 +234,7 @@ def test_the_error_of_a_meshed_box_is_where_it_is_said_to_be() -> None:
                 assert abs(gap - true) < 1e-8  # an STL has 24 bits
     assert close > 100
     assert flat > 30
-    assert shape.form().error < 0.04 * cell
+    assert shape.form().error < 0.05 * cell
     assert shape.form().largest < 0.4 * cell
 
 

@@ -348,7 +348,7 @@ def test_a_plate_of_a_mesh_that_is_pierced_is_told(thick: float, pierced: bool) 
     told = [str(one.message) for one in caught if one.category is ContactWarning]
     assert bool(told) == pierced
     said = (
-        "of world.obstacles[0], a mesh with cells of 2 mm, hold to some 5 mm: beyond that they are"
+        "of world.obstacles[0], a mesh with cells of 2 mm, hold to some 2 mm: beyond that they are"
     )
     assert not told or said in told[0]
 
