@@ -105,6 +105,20 @@ def test_what_comes_deeper_than_forces_hold_is_told(board: dict[str, Any]) -> No
         edge_on({**board, "cell": 0.0065})
 
 
+def test_so_it_is_of_one_in_a_union(board: dict[str, Any]) -> None:
+    """A mesh among its shapes counts: it was left out."""
+    union = {
+        "type": "union",
+        "surface": "wall",
+        **PLACE,
+        "shapes": [board | {"position": [0, 0, 0]}],
+    }
+    with pytest.warns(
+        ContactWarning, match=r"the middle of world.obstacles\[0\], a union, is some 13.4"
+    ):
+        edge_on(union, 3.5)
+
+
 def test_a_wall_of_one_cell_of_a_map_is_a_wall(tmp_path: Path) -> None:
     """A spline through distances leaves all of it: peak and rebound to 15 % of a box's."""
     cells = np.zeros((3, 30, 30), dtype=bool)

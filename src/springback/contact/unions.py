@@ -74,6 +74,10 @@ class ShapeUnion(AttitudeSettings, ShapeSettings):
         """Surface of the first of its shapes."""
         return self.shapes[0].law()
 
+    def middle_depth(self) -> float:
+        """The least of its shapes [m]."""
+        return min(shape.middle_depth() for shape in self.shapes)
+
     def bodies(self) -> list[SolidShape]:
         """Its solids."""
         return [part.body for part in self.parts()]
