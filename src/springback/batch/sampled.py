@@ -14,9 +14,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.batch.scenarios import no_collection
 from springback.batch.templates import BuiltGroup, ScenarioGroup, built_groups
 from springback.errors import InputError
+from springback.kernels.compiler import no_collection
 from springback.kernels.layout import Buffer, TreeLayout, row_of, rows, structure
 from springback.kernels.trees import names
 from springback.scenario.build import ReadyFlight

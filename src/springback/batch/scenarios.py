@@ -7,11 +7,10 @@ flight flown alone.
 
 from __future__ import annotations
 
-import gc
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from functools import cache, partial
 from typing import Any, Literal, NamedTuple
 
@@ -19,6 +18,7 @@ import numpy as np
 
 from springback.batch.templates import BuiltGroup, ScenarioGroup, built_groups, pace_of
 from springback.errors import InputError
+from springback.kernels.compiler import no_collection
 from springback.kernels.layout import Buffer, row_of, rows, structure
 from springback.kernels.routines import tables_held
 from springback.progress import Progress, silent, stage
@@ -132,18 +132,6 @@ def fly_scenarios(
             _fly_block(tables, block, fly, share, out)
         share(1.0)
     return out
-
-
-@contextmanager
-def no_collection() -> Iterator[None]:
-    """Context without the garbage collector, which would repeatedly walk all trees for nothing."""
-    running = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if running:
-            gc.enable()
 
 
 def _fly_block(

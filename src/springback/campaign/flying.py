@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from springback.batch.scenarios import Device, fly_scenarios, has_second, no_collection
+from springback.batch.scenarios import Device, fly_scenarios, has_second
 from springback.campaign.compiler_times import compile_kinds
 from springback.campaign.design.layout import Design, design_of
 from springback.contact.parameters import PLANES
 from springback.errors import InputError
+from springback.kernels.compiler import no_collection
 from springback.results.flight import check_user_code
 from springback.scenario.code_files import changed_files
 from springback.scenario.scenario import scenario_from

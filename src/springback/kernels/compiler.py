@@ -13,10 +13,12 @@ then rounded as IEEE 754 says, and all executors return the same bits (docs/deci
 from __future__ import annotations
 
 import functools
+import gc
 import hashlib
 import os
 import types
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple, ParamSpec, Protocol, TypeVar, cast
 
@@ -243,6 +245,18 @@ def is_writable(folder: Path) -> bool:
     return os.access(folder, os.W_OK)
 
 
+@contextmanager
+def no_collection() -> Iterator[None]:
+    """Context without the garbage collector, which would walk all objects for nothing."""
+    running = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if running:
+            gc.enable()
+
+
 def _entry(function: F, folder: Path | None, options: dict[str, Any], source: str = "") -> F:
     """Compile an entry point, cached in a folder between processes, or not cached.
 
@@ -259,7 +273,8 @@ def _entry(function: F, folder: Path | None, options: dict[str, Any], source: st
 
         def compile_or_unlock(*signature: Any) -> Any:
             try:
-                return compile_now(*signature)
+                with no_collection():
+                    return compile_now(*signature)
             except BaseException:
                 cache.end_compilation()
                 raise

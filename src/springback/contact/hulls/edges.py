@@ -201,12 +201,12 @@ def _lowest_in_piece(shape: Any, a: Vec, b: Vec, level: float) -> EdgePoint:
 
 
 @rare_kernel
-def is_parted(shape: Any, a: Vec, b: Vec) -> bool:
+def is_parted(shape: Any, a: Vec, b: Vec, radius: float) -> bool:
     """True if the straight way between two points leaves a shape."""
     outside = False
     for k in range(WAYPOINTS):
         share = (k + 1.0) / (WAYPOINTS + 1.0)
-        if near_face(shape, a + share * (b - a)).gap >= 0.0:
+        if near_face(shape, a + share * (b - a)).gap >= radius:
             outside = True
     return outside
 

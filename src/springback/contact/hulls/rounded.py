@@ -173,12 +173,14 @@ def _edges_at(
                 shape, corner.point, end.point, corner.normal, end.normal, is_convex
             )
             low = inside.first
-            if inside.second.gap < FAR and is_parted(shape, low.point, inside.second.point):
+            if inside.second.gap < FAR and is_parted(
+                shape, low.point, inside.second.point, hull.radius
+            ):
                 found = with_contact(
                     found, hull.law, at_point(inside.second, hull.radius), inside.second.point
                 )
             if low.gap < FAR:
-                if not is_convex and is_parted(shape, low.point, corner.point):
+                if not is_convex and is_parted(shape, low.point, corner.point, hull.radius):
                     found = with_contact(found, hull.law, at_point(low, hull.radius), low.point)
                 elif low.gap < corner.gap:
                     lesser = low
@@ -224,7 +226,9 @@ def _lowest_on_boundary(
             if low.gap < best.gap:
                 best, deeper = low, first
         before, last = here, number
-    if best.gap < deeper.gap and (is_convex or not is_parted(shape, best.point, deeper.point)):
+    if best.gap < deeper.gap and (
+        is_convex or not is_parted(shape, best.point, deeper.point, hull.radius)
+    ):
         given = deeper.gap - hull.radius
         return BoundaryPoint(best, in_place_of(best, deeper, given, hull.radius))
     return BoundaryPoint(best, at_point(best, hull.radius))
@@ -256,11 +260,11 @@ def _face_of_hull(
         other = lowest_on_face(shape, flat, is_convex, low)
         if other.gap < low.gap:
             low, other = other, low
-        from_first = other.gap < FAR and is_parted(shape, other.point, low.point)
-        if from_first and is_parted(shape, other.point, best.point):
+        from_first = other.gap < FAR and is_parted(shape, other.point, low.point, hull.radius)
+        if from_first and is_parted(shape, other.point, best.point, hull.radius):
             found = with_contact(found, hull.law, at_point(other, hull.radius), other.point)
     if low.gap < best.gap - LANDED:
-        if not is_convex and is_parted(shape, low.point, best.point):
+        if not is_convex and is_parted(shape, low.point, best.point, hull.radius):
             return with_contact(found, hull.law, at_point(low, hull.radius), low.point)
         if holds(found.faces, boundary.contact):
             found = with_faces(found, without(found.faces, boundary.contact))

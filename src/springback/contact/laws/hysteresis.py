@@ -11,7 +11,8 @@ What is not returned is lost where a contact comes deeper than before: the heat 
 change of (1 − e²) W(deepest), not an integral over its stages, as its power jumps there.
 
 Each part of a vehicle remembers the contacts of the last step, by place and normal in body axes;
-one that is let go is forgotten, unless its surface does not recover.
+one that is let go is forgotten, unless its surface does not recover.  Of a contact that jumps from
+one place to another see `springback.contact.laws.jumps`.
 """
 
 from __future__ import annotations
@@ -61,6 +62,14 @@ class Pressing(NamedTuple):
     ahead: float  # stiffness and damping hold for depths up to this much larger [m]
 
 
+@kernel
+def is_same_contact(before: PressedPoint, place: Vec, inward: Vec) -> bool:
+    """True if a contact of the last step is the one at a place, with this normal."""
+    away = before.place - place
+    is_near = away @ away < NEAR * NEAR
+    return (before.depth > 0.0) & is_near & (before.inward @ inward > ALIGNED)
+
+
 class _Nearest(NamedTuple):
     """Contact of the last step nearest to a place."""
 
@@ -72,7 +81,7 @@ class _Nearest(NamedTuple):
 def _nearer(best: _Nearest, point: PressedPoint, place: Vec, inward: Vec) -> _Nearest:
     away = point.place - place
     square = away @ away
-    is_nearer = (point.depth > 0.0) & (square < best.square) & (point.inward @ inward > ALIGNED)
+    is_nearer = (square < best.square) & is_same_contact(point, place, inward)
     return _Nearest(square if is_nearer else best.square, point.depth if is_nearer else best.depth)
 
 
@@ -156,7 +165,7 @@ def _remembering(law: Hysteresis, memory: PressedPoints, at: Pressing) -> Hyster
     deepest = larger(before, at.depth)
     now = _first_time(at.surface, law, at.depth)
     most = _first_time(at.surface, law, deepest)
-    # A contact begins at no depth; one that has jumped to another place is taken over as it is.
+    # A contact begins at no depth; one of which nothing is known is taken over as it is.
     known = most.energy if before == 0.0 else _first_time(at.surface, law, before).energy
     renewed = most.energy - known
     soon = _first_time(at.surface, law, deepest + at.ahead)

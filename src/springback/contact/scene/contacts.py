@@ -9,6 +9,7 @@ from __future__ import annotations
 from springback.contact.cage import LANDED, BodyMotion, ContactFace
 from springback.contact.laws.bristles import BristleRate
 from springback.contact.laws.hysteresis import no_point
+from springback.contact.laws.jumps import with_jumps
 from springback.contact.laws.step_bounds import ContactStiffness, FrictionDamping
 from springback.contact.loads import (
     CageContact,
@@ -22,7 +23,7 @@ from springback.contact.loads import (
 )
 from springback.contact.scene.faces import SceneInBodyFrame
 from springback.kernels.compiler import called_kernel, kernel
-from springback.kernels.trees import tree_map
+from springback.kernels.trees import replace, tree_map
 from springback.kernels.vectors import Vec
 from springback.vehicle.state import (
     ArmPose,
@@ -95,4 +96,14 @@ def contacts_in_scene(
     body: BodyMotion,
 ) -> tuple[CageContact, ...]:
     """Contact of a part with each face of a scene, or of the user's own shapes beside it."""
-    return tree_map(scene_contact, (faces, engaged), (memory, arm, body))
+    return tree_map(
+        scene_contact, (faces, engaged), (after_jumps(memory, faces, arm, body), arm, body)
+    )
+
+
+@kernel
+def after_jumps(
+    memory: PartMemory, faces: tuple[ContactFace, ...], arm: ArmPose, body: BodyMotion
+) -> PartMemory:
+    """Memory of a part whose contacts may have jumped to other faces."""
+    return replace(memory, pressed=tree_map(with_jumps, (memory.pressed,), (faces, arm, body)))
