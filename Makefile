@@ -6,7 +6,7 @@ OUT ?= reproduction
 # Byte code is kept, whatever the shell says: without it each program takes a second more to start.
 export PYTHONDONTWRITEBYTECODE =
 
-.PHONY: run test quick lint types layers pytest mutations geometry attack fuzz docs bench wheel lock web clean
+.PHONY: run test quick rare lint types layers pytest mutations geometry attack fuzz docs bench wheel lock web clean
 
 run:
 	@tools/environment all
@@ -38,14 +38,19 @@ PARALLEL = -n 2 --dist loadfile --no-loadscope-reorder --max-worker-restart=0 --
 PHYSICS = tests/contact tests/dynamics tests/vehicle
 
 pytest:
-	$(BIN)/pytest $(PARALLEL) tests/simulation
+	$(BIN)/pytest $(PARALLEL) -m "not rare" tests/simulation
 	$(BIN)/pytest $(PARALLEL) $(PHYSICS)
 	$(BIN)/pytest $(PARALLEL) $(addprefix --ignore=,tests/simulation $(PHYSICS))
+
+# Kinds of flight that few users fly, and that compile for a minute or more each: a quarter of an hour.
+rare:
+	@tools/environment dev
+	$(BIN)/pytest $(PARALLEL) -m rare tests/simulation
 
 # Two minutes, kernels compiled: all but slow tests and those in a browser.
 quick:
 	@tools/environment dev
-	$(BIN)/pytest $(PARALLEL) -m "not slow and not browser"
+	$(BIN)/pytest $(PARALLEL) -m "not slow and not browser and not rare"
 
 # Flip one sign of the physics at a time; MUTATIONS=damper: those whose name has it.
 mutations:

@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 from hypothesis import settings
 
-from builders.marks import BROWSER, DOCS, FIRST, PAPER, SLOW
+from builders.marks import BROWSER, DOCS, FIRST, PAPER, RARE, SLOW
 from builders.missing import is_allowed
 
 # Property tests draw the same examples on every machine, and the first call of a function may be slow.
@@ -36,6 +36,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
             ("browser", BROWSER),
             ("paper", PAPER),
             ("docs", DOCS),
+            ("rare", RARE),
         ):
             if any(whole.startswith(one) for one in places):
                 item.add_marker(mark)

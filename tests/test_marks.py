@@ -15,7 +15,9 @@ from builders.missing import FEATURES, PROGRAMS, is_allowed, missing
 HERE = Path(__file__).parent
 
 
-@pytest.mark.parametrize("place", sorted({*marks.SLOW, *marks.BROWSER, *marks.PAPER, *marks.DOCS}))
+@pytest.mark.parametrize(
+    "place", sorted({*marks.SLOW, *marks.BROWSER, *marks.PAPER, *marks.DOCS, *marks.RARE})
+)
 def test_marks_are_of_tests_that_exist(place: str) -> None:
     file, _, name = place.partition("::")
     assert (HERE / file).exists()

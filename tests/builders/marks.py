@@ -88,5 +88,17 @@ SLOW = (
     "test_readme.py",
     "test_wheel.py",
 )
+#: Kinds of flight that few users fly, of which each compiles for a minute or more what nothing else
+#: needs: `make rare`, before a release.  Their parts are flown one by one in the others.
+RARE = (
+    "simulation/test_broken_guards.py::test_under_every_law_the_energy_closes",
+    "simulation/test_hulls_meet_movers.py::test_a_hull_and_a_free_ball_keep_their_momentum",
+    "simulation/test_hulls_meet_movers.py::test_every_hull_meets_everything_that_moves",
+    "simulation/test_laws_fly.py::test_a_wall_of_foam_that_moves_hits_a_robot",
+    "simulation/test_laws_fly.py::test_two_robots_bounce_with_a_constant_restitution",
+    "simulation/test_moving.py::test_gaps_of_each_obstacle_are_told_however_many_move",
+    "simulation/test_pairs_that_fold.py",
+    "simulation/test_rest.py::test_a_robot_rides_on_a_plate_that_swings",
+)
 #: Longest files first, so that no worker is left with one at the end.
 FIRST = ("test_readme.py", "test_examples.py")

@@ -66,24 +66,21 @@ def scene(obstacle: dict[str, Any], kind: str, on: str, duration: float) -> dict
 
 @pytest.mark.parametrize("kind", NOSES)
 def test_every_hull_meets_everything_that_moves(kind: str) -> None:
-    """It touches, the obstacle feels it, the ledger of both closes; on the body in lanes as alone.
-
-    On an arm it flies in lanes only: alone that is one more structure for the compiler.
-    """
+    """It touches, the obstacle feels it, the ledger of both closes; in lanes as alone."""
     tables = [
         scene(obstacle, kind, ("body", "arm")[k % 2], 8e-3)
         for k, obstacle in enumerate(MOVERS.values())
     ]
     together = fly_scenarios(tables, threads=1)
     assert not any(together.problems)
-    for k, name in enumerate(nonempty(MOVERS)):
-        row = {measure: values[k] for measure, values in together.measures.items()}
-        assert row["contacts"] > 0.0, name
-        assert row["end_time"] == pytest.approx(8e-3), name
-        assert abs(row["ledger_residual"]) < 1e-5, (name, row["ledger_residual"])
-        alone = fly(tables[k], trajectory=False).measures if k % 2 == 0 else {}
+    for k, (name, each) in enumerate(nonempty(zip(MOVERS, tables, strict=True))):
+        alone = fly(each, trajectory=False).measures
+        assert alone["contacts"], name
+        assert alone["end_time"] == pytest.approx(8e-3), name
+        assert abs(alone["ledger_residual"] or 0.0) < 1e-5, (name, alone["ledger_residual"])
         for measure, number in alone.items():
-            assert np.isnan(row[measure]) if number is None else row[measure] == number, measure
+            row = together.measures[measure][k]
+            assert np.isnan(row) if number is None else row == number, (name, measure)
 
 
 @pytest.mark.parametrize("on", ["body", "arm"])

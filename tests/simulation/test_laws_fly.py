@@ -170,7 +170,7 @@ def test_a_wall_of_foam_that_moves_hits_a_robot() -> None:
     assert ends[1] == pytest.approx(-0.8 - 1.0, rel=1e-5)
 
 
-def test_two_robots_bounce_from_each_other_with_a_constant_restitution() -> None:
+def test_two_robots_bounce_with_a_constant_restitution() -> None:
     """Head on, rigid and alike: each turns round with its share, momentum kept."""
     for speed in (0.5, 2.0):
         common = {
@@ -201,31 +201,22 @@ def test_laws_without_a_memory_are_asked_for_beside_what_moves_freely() -> None:
         fly(tables)
 
 
+@pytest.mark.parametrize("obstacle", ["mesh", "box"])
 @pytest.mark.parametrize("yaw", [0.2, 0.6])
-def test_posts_that_lie_along_a_mesh_keep_what_they_remember(yaw: float) -> None:
-    """The contact jumps from end to end of an upright rod: 7e-3 and 1.3e-2 of the energy appeared.
+def test_posts_that_lie_along_a_face_keep_what_they_remember(yaw: float, obstacle: str) -> None:
+    """The contact jumps from end to end of CogniFly's rods: 7e-3 and 1.3e-2 of the energy appeared.
 
-    What is left is the lowest point of a rod that is parallel to a face: it runs along it at once.
+    What is left at the mesh is the lowest point of a rod parallel to a face: it runs along it at once.
     """
-    rod = {"type": "capsule", "radius": 0.0015, "surface": {**CONSTANT, "stiffness": 4750.0}}
-    rod["surface"] |= {"restitution": 0.19, "exponent": 1.0, "in_series": False}
-    ends = [
-        [x, y, z] for x in (-0.0975, 0.0975) for y in (-0.0975, 0.0975) for z in (-0.036, 0.036)
-    ]
-    posts = [{**rod, "start": a, "end": b} for a, b in zip(ends[::2], ends[1::2], strict=True)]
-    cube = {"type": "mesh", "file": box_file(0.3, 0.3, 0.3), "position": [2.0, 0.05, 1.1]}
+    form = {"mesh": {"file": box_file(0.3, 0.3, 0.3)}, "box": {"size": [0.3] * 3}}[obstacle]
+    cube = {"type": obstacle, **form, "position": [2.0, 0.05, 1.1], "surface": "wall"}
     flight = fly({
-        "vehicle": {
-            "preset": "quad", "hull": False, "hulls": posts, "body": {"mass": 0.12, "inertia": [3e-4, 3e-4, 5e-4]},
-            "arms": {"length": 0.03, "cage_radius": 0.004, "mass": 0.03},
-        },
-        "thrust": "hover",
-        "world": {"obstacles": [{**cube, "surface": {"preset": "wall", "friction_law": "bristle"}}]},
+        "vehicle": "cognifly", "thrust": "hover", "world": {"obstacles": [cube]},
         "start": {"position": [1.2, 0, 1.0], "velocity": [2.0, 0, 0], "yaw": yaw},
         "simulation": {"duration": 0.35},
     })  # fmt: skip
-    assert flight.measures["penetration"] > 0.007
-    assert abs(flight.measures["ledger_residual"]) < 2e-5
+    assert (flight.measures["penetration"] or 0.0) > 0.007
+    assert abs(flight.measures["ledger_residual"] or 0.0) < 2e-5
 
 
 def test_numbers_of_a_law_vary_in_a_campaign() -> None:

@@ -79,6 +79,7 @@ MEETINGS = {
         four_arms(joint=FLAPPING), four_arms(joint=FOLDING), [0.6, 0.01, 0.0], 3.1
     ),
     "rolling meets ringed": tables(ROLLING, RINGED, [0.45, 0.12, 0.05], np.pi),
+    "ringed meets rolling": tables(RINGED, ROLLING, [0.45, 0.12, 0.05], np.pi),
 }
 
 
@@ -185,7 +186,7 @@ def test_an_accelerometer_off_the_centre_feels_the_other_vehicle(name: str) -> N
         angular_acceleration(second)
 
 
-@pytest.mark.parametrize("name", ["folding meets flapping", "rolling meets ringed"])
+@pytest.mark.parametrize("name", ["folding meets flapping", "ringed meets rolling"])
 def test_contacts_are_evaluated_again_where_they_were(name: str) -> None:
     """Forces and moments of both are opposite, and those that the flight recorded."""
     first, second = both(fly(MEETINGS[name]))

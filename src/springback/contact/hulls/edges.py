@@ -202,7 +202,7 @@ def _lowest_in_piece(shape: Any, a: Vec, b: Vec, level: float) -> EdgePoint:
 
 @rare_kernel
 def is_parted(shape: Any, a: Vec, b: Vec, radius: float) -> bool:
-    """True if the straight way between two points leaves a shape."""
+    """True if the straight way between two points is somewhere a radius away from a shape."""
     outside = False
     for k in range(WAYPOINTS):
         share = (k + 1.0) / (WAYPOINTS + 1.0)
