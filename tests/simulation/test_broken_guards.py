@@ -21,7 +21,7 @@ from springback.contact.surfaces import AnyExponent
 from springback.errors import InputError
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Vec
-from springback.results.events import contact_mask
+from springback.results.contacts.spans import contact_mask
 from springback.results.flight import Flight
 from springback.vehicle.state import ArmPose, PartMemory, PressedPoints
 

@@ -2,16 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from springback.recovery.state_machine import CRUISE, HOVER, LOOK, PHASES, RECOVER, RETURN, STAGES
+from springback.results.contacts.places import ContactPlace, contact_places
+from springback.results.contacts.spans import (
+    ContactSpan,
+    contact_mask,
+    contact_spans,
+    intervals,
+    spans,
+)
 from springback.results.motion import specific_force_at
 from springback.results.result import FlightResult
 from springback.simulation.measuring.limits import arm_force
-from springback.simulation.playback import NO_FORCE
 from springback.vehicle.arms.bent import BentArm, BentCoordinates
 from springback.vehicle.limits import UNLIMITED, LoadLimits
 
@@ -30,10 +37,6 @@ _TRIGGERS = {"hall": "an arm is compressed", "acceleration": "lateral accelerati
              "wrench": "an external force"}  # fmt: skip
 #: Impacts beyond this number are not labelled (chosen: as many as a time line can show).
 MOST = 12
-
-
-#: A step lands within a nanometre of a touch: forces below this are not yet contact [N] (chosen).
-AT_TOUCH = 1e-6
 
 
 class Event(NamedTuple):
@@ -59,35 +62,10 @@ class Event(NamedTuple):
     """Speed [m/s] of a touch, of a contact that of the main body; duration [s] of a separation or
     release; acceleration [m/s²] of a peak; compression [m] of a stop.
     """
-
-
-def parts_of(columns: Mapping[str, Array]) -> list[str]:
-    """Suffixes of the columns of forces: one for each cage, and one for a main body with a hull."""
-    return [name[2:] for name in columns if name.startswith("fn")]
-
-
-def contact_mask(columns: Mapping[str, Array]) -> np.ndarray[Any, np.dtype[np.bool_]]:
-    """True for instants with a contact."""
-    felt = [columns[f"fn{k}"] + columns[f"ff{k}"] > NO_FORCE for k in parts_of(columns)]
-    return np.asarray(np.logical_or.reduce(felt), dtype=np.bool_)
-
-
-def intervals(t: Array, felt: Any, apart: float = 0.0) -> list[tuple[int, int]]:
-    """First and last index of every contact; contacts closer than ``apart`` are merged.
-
-    Args:
-        t: Instants [s].
-        felt: True for instants with a contact.
-        apart: Shortest time between two contacts [s].
-    """
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], np.asarray(felt, dtype=int), [0]])))
-    found: list[tuple[int, int]] = []
-    for first, last in zip(edges[0::2].tolist(), (edges[1::2] - 1).tolist(), strict=True):
-        if found and t[first] - t[found[-1][1]] < apart:
-            found[-1] = (found[-1][0], last)
-        else:
-            found.append((first, last))
-    return found
+    obstacle: str | None = None
+    """Of a touch or a contact: what is touched, such as ``world.obstacles[0], a pole``."""
+    place: tuple[float, float, float] | None = None
+    """Of a touch or a contact: where it is pressed hardest, world [m]."""
 
 
 def impacts_of(flight: FlightResult) -> tuple[tuple[float, float], ...]:
@@ -105,8 +83,10 @@ def impacts_of(flight: FlightResult) -> tuple[tuple[float, float], ...]:
 def events_of(flight: FlightResult) -> tuple[Event, ...]:
     """Events in order of time."""
     t = flight.columns["t"]
-    found = [*_contacts(flight), *_failures(flight), *_phases(flight), *_settling(flight)]
-    found += [*_reports(flight), *_parts(flight), *_overloads(flight)]
+    touches = sorted(contact_spans(flight), key=lambda one: one.begin)
+    met = list(zip(touches, contact_places(flight, touches), strict=True))
+    found = [*_contacts(flight, met), *_failures(flight), *_phases(flight), *_settling(flight)]
+    found += [*_reports(flight), *_parts(flight, met), *_overloads(flight)]
     found.append(Event(float(t[-1]), "end", "end", flight.message))
     return tuple(sorted(found, key=lambda event: event.t))
 
@@ -118,7 +98,10 @@ def _beside_movers(flight: FlightResult) -> bool:
     return moving or scenario.second is not None or flight.is_second
 
 
-def _contacts(flight: FlightResult) -> list[Event]:
+_Met = Sequence[tuple[ContactSpan, ContactPlace | None]]
+
+
+def _contacts(flight: FlightResult, met: _Met) -> list[Event]:
     c = flight.columns
     felt = contact_mask(flight.columns)
     found: list[Event] = []
@@ -133,7 +116,10 @@ def _contacts(flight: FlightResult) -> list[Event]:
             sentence = f"first touch, at {speed:.2f} m/s along the normal, relative to it"
         elif along is not None and abs(along - speed) > 0.01 * speed:
             sentence += f", {along:.2f} m/s of it along the normal (touch_speed)"
-        found.append(Event(begin, "touch", f"touch{which}", sentence, value=speed))
+        there = next((place for one, place in met if one.end > begin), None)
+        sentence += "" if there is None else f", on {there.obstacle}"
+        place = (None, None) if there is None else there
+        found.append(Event(begin, "touch", f"touch{which}", sentence, None, speed, *place))
         if end < c["t"][-1] or not felt[-1]:
             sentence = f"separates after {1e3 * (end - begin):.1f} ms"
             found.append(Event(end, "separation", f"off{which}", sentence, value=end - begin))
@@ -212,20 +198,18 @@ def _settling(flight: FlightResult) -> Iterator[Event]:
         yield Event(float(t[k + 1]), "settled", "settled", "the arms have settled and are locked")
 
 
-def _parts(flight: FlightResult) -> Iterator[Event]:
+def _parts(flight: FlightResult, met: _Met) -> Iterator[Event]:
     """Contacts of each cage and of the hull, and end stops of each arm."""
     c = flight.columns
     speed = np.sqrt(sum(c[f"v{axis}"] ** 2 for axis in "xyz"))
-    for part in parts_of(c):
-        arm = int(part) if part.isdigit() else None
-        name = f"cage {part}" if arm else "the main body"
-        felt = c[f"fn{part}"] + c[f"ff{part}"] > AT_TOUCH
-        for first, last, begin, end in _spans(flight, felt):
-            peak = float(np.max(c[f"fn{part}"][first : last + 1]))
-            sentence = f"{name} touches, up to {peak:.0f} N"
-            yield Event(begin, "contact", f"{name} on", sentence, arm, float(speed[first]))
-            sentence = f"{name} separates after {1e3 * (end - begin):.1f} ms"
-            yield Event(end, "release", f"{name} off", sentence, arm, end - begin)
+    for one, there in met:
+        what = "" if there is None else f" {there.obstacle},"
+        sentence = f"{one.name} touches{what} up to {one.force:.0f} N"
+        label, place = f"{one.name} on", (None, None) if there is None else there
+        yield Event(one.begin, "contact", label, sentence, one.arm, float(speed[one.first]), *place)
+        sentence = f"{one.name} separates after {1e3 * (one.end - one.begin):.1f} ms"
+        label, lasts = f"{one.name} off", one.end - one.begin
+        yield Event(one.end, "release", label, sentence, one.arm, lasts)
     for j, shortest in enumerate(_shortest(flight), start=1):
         yield from _stops(flight, c[f"l{j}"], shortest, j, f"arm {j}")
     for j, arm in enumerate(flight.scenario.vehicle.airframe().arms, start=1):
@@ -238,23 +222,12 @@ def _stops(
     flight: FlightResult, length: Array, shortest: float, j: int, name: str
 ) -> Iterator[Event]:
     """When a joint of arm ``j`` is at its inner end stop."""
-    for first, last, begin, end in _spans(flight, length < shortest):
+    for first, last, begin, end in spans(flight, length < shortest):
         most = float(length[0] - np.min(length[first : last + 1]))
         sentence = f"{name} reaches its end stop, compressed by up to {1e3 * most:.1f} mm"
         yield Event(begin, "stop", f"stop {j}", sentence, j, most)
         sentence = f"{name} leaves its end stop after {1e3 * (end - begin):.1f} ms"
         yield Event(end, "stop_release", f"stop {j} off", sentence, j, end - begin)
-
-
-def _spans(flight: FlightResult, holds: Any) -> Iterator[tuple[int, int, float, float]]:
-    """First and last index of every span of instants, and its beginning and end [s].
-
-    Steps land on touches, separations and stops, where a force or depth is still zero: the instants
-    before and after the span.  A law whose force jumps at the touch begins one step later.
-    """
-    t = flight.t
-    for first, last in intervals(t, holds):
-        yield first, last, float(t[max(first - 1, 0)]), float(t[min(last + 1, len(t) - 1)])
 
 
 def _shortest(flight: FlightResult) -> list[float]:

@@ -15,16 +15,18 @@ from springback.contact.worlds import Own
 from springback.errors import InputError
 from springback.recovery.detection import CollisionInputs
 from springback.results.columns import telemetry_columns, trajectory_columns, work_columns
+from springback.results.contacts.distances import gaps
+from springback.results.contacts.places import obstacle_contacts
 from springback.results.events import Event, events_of
 from springback.results.hooks import NotebookPage, hook
-from springback.results.motion import columns_at, gaps, sensor_readings, specific_force_at
+from springback.results.motion import columns_at, sensor_readings, specific_force_at
 from springback.results.pair.flying import fly_beside
 from springback.results.recovery_measures import (
     is_evaluated,
     recovery_measures,
     recovery_outcome,
 )
-from springback.results.result import FlightResult
+from springback.results.result import FlightResult, ObstacleContact
 from springback.scenario.avionics import CompiledEstimator, CompiledPilot
 from springback.scenario.build import ReadyFlight, user_parts
 from springback.scenario.files import as_input, checked_scenario, read_scenario
@@ -68,6 +70,11 @@ class Flight(FlightResult):
         """
         self.need_trajectory()
         return events_of(self)
+
+    @functools.cached_property
+    def obstacle_contacts(self) -> tuple[ObstacleContact, ...]:
+        """Obstacles that it touched, in order, each with its hardest contact."""
+        return obstacle_contacts(self) if self.columns else ()
 
     @property
     def broken_parts(self) -> tuple[str, ...]:

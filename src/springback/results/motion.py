@@ -7,66 +7,34 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 import scipy  # submodules are loaded on first use
 
-from springback.contact.cage import (
-    BodyMotion,
-    ContactFace,
-    per_face,
-)
-from springback.contact.hull_contact import (
-    BodySight,
-    arm_faces,
-    arm_gaps,
-    arm_sight,
-    body_sight,
-    hull_contact,
-    hull_faces,
-    hull_gaps,
-)
-from springback.contact.laws.memory import arm_memory, hull_memory
-from springback.contact.loads import CageContact, face_contact
-from springback.contact.moving.hulls import with_hulls
-from springback.contact.moving.scene import MovingScene, exactly
-from springback.contact.parameters import faces
-from springback.contact.scene.faces import FACES, SolidScene
-from springback.contact.worlds import Own, alone, obstacles
-from springback.dynamics.limbs.shell import hull_motion
+from springback.contact.worlds import Own
 from springback.dynamics.solution import Slider
 from springback.errors import InputError
-from springback.kernels.compiler import executor, kernel, user_executor
-from springback.kernels.layout import Buffer, TreeLayout, read, write
-from springback.kernels.trees import leaves, names, rebuilt, tree_map, tree_sum
-from springback.kernels.vectors import Vec
+from springback.kernels.trees import leaves, names, rebuilt
+from springback.results.contacts.history import contact_history, model_of
 from springback.results.joints.turning import turning_by_equations
 from springback.results.pair.contacts import pair_view
 from springback.results.result import FlightResult
 from springback.scenario.avionics import devices_of, normals_at_start, propulsion_of
-from springback.scenario.model import RING_ROUNDING
 from springback.scenario.scenario import Scenario
-from springback.scenario.tables import UserShape
-from springback.scenario.worlds.imported import Imported, single_obstacles
 from springback.sensing.sensors import sensors_at_start
-from springback.simulation.flight import Trace, model_state, own_types, sources, still_state
+from springback.simulation.flight import Trace, still_state
 from springback.simulation.guided import ticks_of
 from springback.simulation.measuring.record import Model
 from springback.simulation.noise import noise_table
 from springback.simulation.onboard import Truth, sensor_step
-from springback.simulation.playback import Instant, states_at
 from springback.vehicle.arms.bent import ON_JOINTS
 from springback.vehicle.propulsion import Propulsion
 from springback.vehicle.rotor_stop import BROKEN, RotorStop, reaction
 from springback.vehicle.rotors import INSTANT, Lag, lag_over
 from springback.vehicle.state import (
-    PartMemory,
     Shell,
     State,
-    coordinates_of_arms,
-    in_body_axes,
-    rates_of_arms,
 )
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -176,104 +144,6 @@ def _states_at(columns: Mapping[str, Array], at: Array, arms: int) -> list[State
     return [rebuilt(like, row) for row in np.stack(numbers, axis=1).tolist()]
 
 
-# -- contacts again -------------------------------------------------------------------------------
-
-
-class PartContact(NamedTuple):
-    """A cage or the hull: its moment and distances."""
-
-    moment: Vec  # of its contact forces about the main body, body axes [N m]
-    gaps: tuple[float, ...]  # to each face that it can meet [m]
-
-
-@kernel
-def _on_cage(face: ContactFace, memory: PartMemory, arm: Any, body: BodyMotion) -> CageContact:
-    return face_contact(face, 1.0, memory, arm, body)
-
-
-@kernel
-def _on_hull(face: ContactFace, memory: PartMemory, hull: Any, body: BodyMotion) -> CageContact:
-    return hull_contact(face, 1.0, memory, hull, body)
-
-
-@kernel
-def _moment(contact: CageContact) -> Vec:
-    return contact.touch.moment
-
-
-@kernel
-def _arm_contact(
-    arm: Any,
-    length: float,
-    rate: float,
-    memory: PartMemory,
-    contact_point: Any,
-    around: BodySight,
-) -> PartContact:
-    pose, obstacles, body = arm_sight(arm, length, rate, around)
-    faces = arm_faces(arm, obstacles, contact_point, pose, 1.0)
-    found = tree_map(_on_cage, (faces,), (memory, pose, body))
-    gaps = arm_gaps(arm, obstacles, contact_point, pose)
-    moment = tree_sum(tree_map(_moment, (found,), ()))
-    return PartContact(in_body_axes(arm, length, moment), gaps)
-
-
-@kernel
-def _hull_contact(hull: Any, memory: PartMemory, obstacles: Any, body: BodyMotion) -> PartContact:
-    there = hull_motion(hull, memory, body)
-    found = tree_map(_on_hull, (hull_faces(hull, obstacles, 1.0),), (memory, hull, there))
-    return PartContact(tree_sum(tree_map(_moment, (found,), ())), hull_gaps(hull, obstacles))
-
-
-@kernel
-def _contacts(at: Instant) -> tuple[PartContact, ...]:
-    state = at.state
-    around = body_sight(at.world.obstacles, state, 0.0)
-    obstacles, body = around.obstacles, around.body
-    on_arms = arm_memory(state.memory, at.airframe.arms)
-    on_hull = hull_memory(state.memory, at.airframe.hull)
-    lengths = coordinates_of_arms(at.airframe.arms[0], state)
-    arms = tree_map(
-        _arm_contact,
-        (at.airframe.arms, lengths, rates_of_arms(at.airframe.arms[0], state), on_arms),
-        (at.contact_point, around),
-    )
-    found: tuple[PartContact, ...] = arms + tree_map(
-        _hull_contact, (at.airframe.hull, on_hull), (obstacles, body)
-    )
-    return found
-
-
-@executor(nogil=True)
-def _all_contacts(like: TreeLayout, instants: Buffer, out: Buffer) -> None:
-    """Write `PartContact` of each part for each instant; rows of the buffers hold the leaves."""
-    for i in range(instants.shape[0]):
-        write(_contacts(read(like, instants[i], 0, 1, 0)), out[i], 0, 1, 0)
-
-
-class ContactHistory(NamedTuple):
-    """Moments and distances over time."""
-
-    moment: Array  # of all contacts about the main body, body axes [N m], shape (instants, 3)
-    gaps: Array  # of cages, then the hull, to each obstacle [m], shape (instants, parts, obstacles)
-
-
-def contact_history(model: Model, flight: FlightResult) -> ContactHistory:
-    """Contacts at the instants of the trajectory."""
-    arms, states = len(model.airframe.arms), states_at(model, flight.columns, slice(None))
-    like = Instant(model.airframe, model.world, model.contact_point, model_state(model))
-    constants = np.array(leaves(like)[: -states.shape[1]])
-    instants = np.hstack([np.broadcast_to(constants, (len(states), len(constants))), states])
-    parts, obstacles = arms + len(model.airframe.hull), len(per_face(model.world.obstacles, 0.0))
-    out = np.zeros((len(states), parts * (3 + obstacles)))
-    own = own_types(like)
-    plain = getattr(_all_contacts, "py_func", _all_contacts)
-    run = user_executor(plain, sources(own), nogil=True) if own else _all_contacts
-    run(TreeLayout(like), np.ascontiguousarray(instants), out)
-    each = out.reshape(len(out), parts, 3 + obstacles)
-    return ContactHistory(each[:, :, :3].sum(axis=1), each[:, :, 3:])
-
-
 # -- any point ------------------------------------------------------------------------------------
 
 
@@ -291,7 +161,7 @@ def angular_acceleration(flight: FlightResult, own: tuple[Own, ...] = ()) -> Arr
     Raises:
         InputError: If the trajectory was not recorded, or the user's own obstacles are unknown.
     """
-    model, c = _model(flight, own), flight.columns
+    model, c = model_of(flight, own), flight.columns
     if isinstance(model.guide, Slider):
         return np.zeros((len(flight.t), 3))
     thrusts = _thrusts(flight, model)
@@ -350,17 +220,6 @@ def specific_force_at(flight: FlightResult, at: Any, own: tuple[Own, ...] = ()) 
     omega = _vectors(flight, "w")
     turning = np.cross(omega, np.cross(omega, r))
     return np.asarray(felt + np.cross(angular_acceleration(flight, own), r) + turning)
-
-
-def _model(flight: FlightResult, own: tuple[Own, ...]) -> Model:
-    flight.need_trajectory()
-    own = own or flight.own
-    if flight.own_surfaces and not own:
-        raise InputError(
-            "the flight was read from a folder, which holds no laws of obstacles of your own: "
-            "give them as own"
-        )
-    return flight.scenario.flight_model(own)
 
 
 def _vectors(flight: FlightResult, stem: str) -> Array:
@@ -445,45 +304,3 @@ def _ticks(flight: FlightResult, at: Array) -> Places:
     """Number of the last tick before or at each instant; a step ends at it to within rounding."""
     rows = np.searchsorted(flight.telemetry["t"], at + ROUNDING, "right") - 1
     return np.clip(rows, 0, None)
-
-
-# -- distances ------------------------------------------------------------------------------------
-
-
-def _alone(entry: Any, number: int) -> Any:
-    """Scene of one obstacle of a world, or of all elements of an imported one."""
-    if isinstance(entry, Imported):
-        return obstacles(single_obstacles([entry]), as_scene=True)
-    return alone(entry, number)
-
-
-def gaps(flight: FlightResult, obstacle: int | None = None, own: tuple[Own, ...] = ()) -> Array:
-    """Distances of cages and hull from the obstacles; see `springback.Flight.gap`."""
-    model = _model(flight, own)
-    entries = [x for x in flight.scenario.world.obstacles if not isinstance(x, UserShape)]
-    known, shapes = len(entries), own or flight.own
-    if not (count := known + len(shapes)):
-        raise InputError("the world of this flight has no obstacles")
-    if obstacle is not None and not 0 <= obstacle < count:
-        raise InputError(f"obstacle: must be from 0 to {count - 1} (got {obstacle})")
-    if isinstance(model.world.obstacles, SolidScene | MovingScene):
-        there = model.world.obstacles
-        if obstacle is not None and obstacle < known:
-            there = _alone(entries[obstacle], obstacle)
-            there = with_hulls(there, RING_ROUNDING) if flight.scenario.vehicle.hulls else there
-        model = model._replace(world=model.world._replace(obstacles=exactly(there)))
-        seen = contact_history(model, flight).gaps
-        if obstacle is not None and obstacle >= known:
-            seen = seen[:, :, FACES + obstacle - known :][:, :, :1]
-        nearest: Array = seen.min(axis=2)
-        return nearest
-    counts = [
-        *(sum(len(faces(one)) for one in single_obstacles([entry])) for entry in entries),
-        *(1 for _ in shapes),
-    ]
-    ends = np.cumsum([0, *counts])  # a second contact of a ring, listed after these, is no nearer
-    first, last = 0, int(ends[-1])
-    if obstacle is not None:
-        first, last = ends[obstacle : obstacle + 2].tolist()
-    found: Array = contact_history(model, flight).gaps[:, :, first:last].min(axis=2)
-    return found

@@ -37,6 +37,8 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 #: Places of a trajectory that are looked at (chosen).
 PLACES = 1000
+#: Touched obstacles that are printed (chosen).
+NAMED = 6
 #: Measures that are printed, those of a recovery last.
 _PRINCIPAL = (
     "touch_speed", "restitution_at_separation", "impact_peak_acceleration", "contact_time",
@@ -70,6 +72,32 @@ class MeasureLine(NamedTuple):
         degrees = self.unit == "rad"  # for reading; the measure is in rad
         value, unit = (math.degrees(self.value), "deg") if degrees else (self.value, self.unit)
         return f"{value:.5g} {unit.replace('^2', '²')}".rstrip()
+
+
+class ObstacleContact(NamedTuple):
+    """An obstacle that a vehicle touched, with its hardest contact."""
+
+    obstacle: str
+    """Its place in the scenario and its type, such as ``world.obstacles[0], a pole``."""
+    contacts: int
+    """Number of contacts, those of each part for itself."""
+    parts: tuple[str, ...]
+    """That touched it: cages, the main body."""
+    force: float
+    """Largest normal force on one part [N]."""
+    time: float
+    """Of that force [s]."""
+    part: str
+    """That it acts on."""
+    place: tuple[float, float, float] | None
+    """Where it acts, world [m]; unknown for the second of two vehicles, touched by the first."""
+
+    @property
+    def text(self) -> str:
+        """In words."""
+        at = "" if self.place is None else f", at [{', '.join(f'{x:.2f}' for x in self.place)}] m"
+        hardest = f"up to {self.force:.3g} N on {self.part}{at}, at {self.time:.3f} s"
+        return f"{self.obstacle}: by {' and '.join(self.parts)}, {hardest}"
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -213,7 +241,15 @@ class FlightResult(FlightMeasures):
         }
         for line in shown:
             lines.append(f"  {line.name:<{width}} {line.text}{whys.get(line.name, '')}")
+        lines += [f"  {'touched':<{width}} {one.text}" for one in self.obstacle_contacts[:NAMED]]
+        if (more := len(self.obstacle_contacts) - NAMED) > 0:
+            lines.append(f"  {'':<{width}} and {more} more")
         return "\n".join(lines)
+
+    @property
+    def obstacle_contacts(self) -> tuple[ObstacleContact, ...]:
+        """Obstacles that it touched; without a trajectory not known."""
+        return ()
 
     @property
     def broken_parts(self) -> tuple[str, ...]:
@@ -283,6 +319,7 @@ class FlightResult(FlightMeasures):
         from springback.version import __version__
 
         known = MEASURES | (RECOVERY_MEASURES if "runs" in self.measures else {})
+        contacts = [one._asdict() for one in self.obstacle_contacts]
         return {
             "springback": __version__,
             "name": self.scenario.name,
@@ -291,6 +328,7 @@ class FlightResult(FlightMeasures):
             "measures": self.measures,
             "units": {name: unit for name, (unit, _) in known.items()},
             "scenario": self.scenario.model_dump(mode="json"),
+            **({"obstacle_contacts": contacts} if self.columns else {}),
             **self._own_obstacles(),
             **({} if self.second is None else {"second": self.second.verdict()}),
         }

@@ -124,7 +124,8 @@ def _hull_loads(
 
 
 @kernel
-def _evaluate(at: Instant) -> Evaluation:
+def loads_at(at: Instant) -> tuple[tuple[FaceLoad, ...], ...]:
+    """Loads of the faces that each cage meets, then the hull if there is one."""
     state = at.state
     around = body_sight(at.world.obstacles, state, 0.0)
     obstacles, body = around.obstacles, around.body
@@ -136,8 +137,15 @@ def _evaluate(at: Instant) -> Evaluation:
         (at.airframe.arms, lengths, rates_of_arms(at.airframe.arms[0], state), on_arms),
         (at.contact_point, around),
     )
-    parts = arms + tree_map(_hull_loads, (at.airframe.hull, on_hull), (obstacles, body))
-    return Evaluation(parts, energy(at.airframe, at.world, at.contact_point, state))
+    found: tuple[tuple[FaceLoad, ...], ...] = arms + tree_map(
+        _hull_loads, (at.airframe.hull, on_hull), (obstacles, body)
+    )
+    return found
+
+
+@kernel
+def _evaluate(at: Instant) -> Evaluation:
+    return Evaluation(loads_at(at), energy(at.airframe, at.world, at.contact_point, at.state))
 
 
 @executor(nogil=True)

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from springback.results.events import contact_mask, intervals, parts_of
+from springback.results.contacts.spans import contact_mask, intervals, parts_of
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Places = np.ndarray[Any, np.dtype[np.intp]]

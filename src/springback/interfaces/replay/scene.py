@@ -34,7 +34,8 @@ from springback.interfaces.replay.geometry import Drawable, drawables
 from springback.interfaces.replay.hull_meshes import HullMesh, hull_meshes, mesh_of_hull
 from springback.interfaces.replay.instants import departure, drawn_instants
 from springback.interfaces.replay.tracks import BodyTrack, body_tracks
-from springback.results.events import Event, impacts_of, parts_of
+from springback.results.contacts.spans import parts_of
+from springback.results.events import Event, impacts_of
 from springback.results.flight import Flight
 from springback.results.pair.contacts import loads_on_first, loads_on_second
 from springback.results.saved import load as load

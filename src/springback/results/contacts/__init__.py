@@ -1,0 +1,1 @@
+"""What vehicles touched, from recorded flights: forces, distances, obstacles by name."""

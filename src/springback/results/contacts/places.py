@@ -1,0 +1,200 @@
+"""Which obstacle a part of a vehicle touches, and where.
+
+A trajectory holds the force on each part; the place of a contact follows from the recorded state,
+evaluated in plain Python for the few instants that are asked for, and the obstacle from the place.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from springback.contact.cage import moving_bodies
+from springback.contact.moving.bodies import ABSENT, CARRIED, body_pose
+from springback.contact.moving.scene import MovingScene
+from springback.contact.obstacles import Obstacle, signed_distance
+from springback.contact.parameters import faces
+from springback.contact.scene.faces import SolidScene
+from springback.contact.scene.nearest import HALF_SPACES, HEADER, nearest_solid
+from springback.contact.scene.sections import FARTHEST
+from springback.contact.scene.solids import OWNER, WIDTH, solid_face
+from springback.contact.shapes import ShapeSettings
+from springback.contact.worlds import BuiltIn
+from springback.kernels.routines import number_at, routines_compiled
+from springback.kernels.trees import rebuilt
+from springback.kernels.vectors import Vec
+from springback.results.contacts.history import model_of
+from springback.results.contacts.spans import ContactSpan, contact_spans
+from springback.results.pair.contacts import pair_view
+from springback.results.result import FlightResult, ObstacleContact
+from springback.scenario.tables import UserShape
+from springback.scenario.user.obstacles import own_names
+from springback.scenario.worlds.imported import Imported
+from springback.simulation.flight import model_state
+from springback.simulation.measuring.record import Model
+from springback.simulation.playback import NO_FORCE, Instant, loads_at, states_at
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
+
+#: Contacts beyond this number are not looked at (chosen: these take a second; a robot that rattles
+#: has thousands).
+MOST = 300
+
+
+class ContactPlace(NamedTuple):
+    """What a part touches at an instant."""
+
+    obstacle: str  # such as "world.obstacles[0], a pole"
+    point: tuple[float, float, float] | None  # world [m]; None: another vehicle, known by its force
+
+
+class _Names(NamedTuple):
+    """Names of the obstacles of a scenario."""
+
+    at_rest: list[str]  # of springback's own, elements of imported worlds one by one
+    planes: list[str]  # of each face of these, if all are plane
+    moving: dict[float, str]  # by their number
+    own: list[str]  # of the user's own
+    other: str  # of another vehicle
+
+
+def _kind(word: str) -> str:
+    article = "an" if word[0].lower() in "aeiou" else "a"
+    return "the ground" if word == "ground" else f"{article} {word}"
+
+
+def _names_of(flight: FlightResult) -> _Names:
+    world, own = flight.scenario.world, flight.own
+    stems = [name.removesuffix(".shape") for name in own_names(world, own)]
+    kinds = [type(shape).__name__ for shape, _ in own]
+    of_own = [f"{stem}, {_kind(kind)}" for stem, kind in zip(stems, kinds, strict=True)]
+    other = "the first vehicle" if flight.is_second else "the second vehicle"
+    found = _Names([], [], {}, of_own, other)
+    built_in = [k for k, one in enumerate(world.obstacles) if not isinstance(one, UserShape)]
+    for number, k in enumerate(built_in):
+        entry, name = world.obstacles[k], f"world.obstacles[{k}], {_kind(world.obstacles[k].type)}"
+        if getattr(entry, "motion", None) is not None:
+            found.moving[float(number)] = name
+            continue
+        each: list[tuple[str, BuiltIn]] = []
+        if isinstance(entry, Imported):
+            each = [(f"world.obstacles[{k}], {one.name}", one.obstacle) for one in entry.parts]
+        elif not isinstance(entry, UserShape):
+            each = [(name, entry)]
+        for name, one in each:
+            found.at_rest.append(name)
+            found.planes.extend([] if isinstance(one, ShapeSettings) else [name] * len(faces(one)))
+    return found
+
+
+class _Near(NamedTuple):
+    """An obstacle and its distance from a point."""
+
+    gap: float  # [m]
+    name: str
+
+
+def _in_table(table: Any, point: Vec) -> Iterator[tuple[float, int]]:
+    """Distances of the solids of a table that may be the nearest, and numbers of their owners."""
+    rows = [HEADER + WIDTH * k for k in range(int(number_at(table, HALF_SPACES)))]
+    found = [(solid_face(table, row, point).gap, row) for row in rows]
+    nearest = nearest_solid(table, point, FARTHEST)
+    found += [(nearest.gap, nearest.row)] if nearest.row >= 0 else []
+    for gap, row in found:
+        yield gap, int(number_at(table, row + OWNER))
+
+
+def _one_by_one(each: Iterable[Obstacle], point: Vec, names: Sequence[str]) -> Iterator[_Near]:
+    for one, name in zip(each, names, strict=False):  # then come second contacts of the same
+        yield _Near(signed_distance(one.shape, point), name)
+
+
+def _all_near(there: Any, bodies: Sequence[Any], point: Vec, names: _Names) -> Iterator[_Near]:
+    """Obstacles that may be the nearest to a point of the world."""
+    if not isinstance(there, SolidScene | MovingScene):
+        yield from _one_by_one(there, point, [*names.planes, *names.own])
+        return
+    still = there.still if isinstance(there, MovingScene) else there
+    for gap, owner in _in_table(still.table, point):
+        yield _Near(gap, names.at_rest[owner])
+    yield from _one_by_one(still.own, point, names.own)
+    for body, now in zip(moving_bodies(there), bodies, strict=True):
+        if body.kind != ABSENT:
+            pose = body_pose(body, now)
+            name = names.other if body.kind == CARRIED else names.moving[body.obstacle]
+            for gap, _ in _in_table(body.scene, (point - pose.position) @ pose.r):
+                yield _Near(gap, name)
+
+
+class _Evaluation(NamedTuple):
+    """What contacts are evaluated with."""
+
+    model: Model
+    columns: Mapping[str, Array]
+    names: _Names
+    beside: bool  # with another vehicle
+
+
+def _evaluation(flight: FlightResult) -> _Evaluation:
+    model, columns = model_of(flight, ()), flight.columns
+    if flight.second is not None:
+        seen = pair_view(flight.scenario, flight.columns, flight.second.columns)
+        model, columns = seen.model, seen.columns
+    beside = flight.second is not None or flight.is_second
+    return _Evaluation(model, columns, _names_of(flight), beside)
+
+
+def _place_at(given: _Evaluation, row: int, part: int) -> ContactPlace | None:
+    """What a part touches at a row of the trajectory; None if nothing presses on it."""
+    model, still = given.model, model_state(given.model)
+    state = rebuilt(still, states_at(model, given.columns, np.array([row]))[0].tolist())
+    instant = Instant(model.airframe, model.world, model.contact_point, state)
+    with routines_compiled():
+        pressed = max(loads_at(instant)[part], key=lambda face: face.normal)
+        if pressed.normal <= NO_FORCE:
+            return ContactPlace(given.names.other, None) if given.beside else None
+        near = _all_near(model.world.obstacles, state.bodies, pressed.point, given.names)
+        x, y, z = pressed.point
+        return ContactPlace(min(near).name, (x, y, z))
+
+
+def contact_places(flight: FlightResult, spans: Sequence[ContactSpan]) -> list[ContactPlace | None]:
+    """What is touched in some contacts, and where, when each is pressed hardest.
+
+    Args:
+        flight: With its trajectory.
+        spans: Its contacts.
+
+    Returns:
+        For each; None beyond `MOST`, and for all of them if obstacles of the user's own are unknown
+        because the flight was read from a folder.
+    """
+    if not spans or (flight.own_surfaces and not flight.own):
+        return [None] * len(spans)
+    given = _evaluation(flight)
+    found = [_place_at(given, one.hardest, one.part) for one in spans[:MOST]]
+    return found + [None] * (len(spans) - len(found))
+
+
+def obstacle_contacts(flight: FlightResult) -> tuple[ObstacleContact, ...]:
+    """Obstacles that a vehicle touched, in order of their first contacts.
+
+    Args:
+        flight: With its trajectory.
+    """
+    spans = sorted(contact_spans(flight), key=lambda one: one.begin)
+    met: dict[str, list[tuple[ContactSpan, ContactPlace]]] = {}
+    for one, place in zip(spans, contact_places(flight, spans), strict=True):
+        if place is not None:
+            met.setdefault(place.obstacle, []).append((one, place))
+    return tuple(_hardest(name, each) for name, each in met.items())
+
+
+def _hardest(name: str, each: list[tuple[ContactSpan, ContactPlace]]) -> ObstacleContact:
+    one, there = max(each, key=lambda pair: pair[0].force)
+    parts = tuple(sorted({span.name for span, _ in each}))
+    return ObstacleContact(
+        name, len(each), parts, one.force, one.hardest_time, one.name, there.point
+    )

@@ -1,0 +1,113 @@
+"""What a vehicle touched: the obstacle by its name, and the place."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+import springback
+from builders.cases import nonempty
+from builders.pairs import two
+from springback.contact.obstacles import Plane
+from springback.contact.parameters import SurfaceSettings
+from springback.kernels.vectors import Vec
+from springback.results.contacts.places import ObstacleContact
+from springback.results.flight import Flight
+
+#: Of the poles [m].
+RADIUS = 0.05
+#: Deeper than any of these contacts [m].
+DEEPEST = 0.02
+
+
+def pole(x: float, y: float, **others: Any) -> dict[str, Any]:
+    return {"type": "pole", "position": [x, y, 0.0], "radius": RADIUS, "surface": "wall"} | others
+
+
+def thrown(*obstacles: dict[str, Any], duration: float = 0.25, **start: Any) -> dict[str, Any]:
+    """ARQ at 2 m/s along x, hovering."""
+    return {
+        "vehicle": "arq",
+        "thrust": "hover",
+        "start": {"position": [0.0, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0]} | start,
+        "world": {"obstacles": list(obstacles)},
+        "simulation": {"duration": duration},
+    }
+
+
+def only(flight: Flight) -> ObstacleContact:
+    [found] = flight.obstacle_contacts
+    return found
+
+
+def test_one_of_many_poles_is_told_and_where() -> None:
+    ground = {"type": "ground", "surface": "wall"}
+    others = [pole(0.6, 0.8), ground, pole(0.7, -0.7), pole(0.45, 0.0), pole(3.0, 0.0)]
+    flight = springback.fly(thrown(*others))
+    found = only(flight)
+    assert found.obstacle == "world.obstacles[3], a pole"
+    assert found.place is not None
+    from_axis = math.hypot(found.place[0] - 0.45, found.place[1])
+    assert RADIUS - DEEPEST < from_axis < RADIUS
+    assert found.contacts == sum(event.kind == "contact" for event in flight.events)
+    assert found.force == max(flight.columns[f"fn{j}"].max() for j in range(1, 5))
+    touch = next(event for event in flight.events if event.kind == "touch")
+    assert touch.obstacle == found.obstacle
+    assert touch.text.endswith(", on world.obstacles[3], a pole")
+
+
+def test_planes_are_told_apart() -> None:
+    """The ground below the mat, which has two faces; then the wall behind it is touched."""
+    mat = {"type": "mat", "distance": 9.0, "surface": "mat", "backing": "wall", "thickness": 0.05}
+    ground = {"type": "ground", "surface": "wall"}
+    falling = {"position": [0.0, 0.0, 0.2], "velocity": [0.0, 0.0, -2.0]}
+    flight = springback.fly(thrown(mat, ground, **falling))
+    found = only(flight)
+    assert found.obstacle == "world.obstacles[1], the ground"
+    assert found.place is not None
+    assert -DEEPEST < found.place[2] <= 0.0
+    wall = {"type": "wall", "distance": 0.4, "surface": "wall"}
+    assert only(springback.fly(thrown(ground, wall))).obstacle == "world.obstacles[1], a wall"
+
+
+def test_what_moves_is_told_where_it_is_then() -> None:
+    """The second of two poles comes along; the place is on it as it stands at that instant."""
+    motion = {"type": "constant", "velocity": [-1.0, 0.0, 0.0]}
+    flight = springback.fly(thrown(pole(0.2, 0.9), pole(0.6, 0.0, motion=motion)))
+    found = only(flight)
+    assert found.obstacle == "world.obstacles[1], a pole"
+    assert found.place is not None
+    from_axis = math.hypot(found.place[0] - (0.6 - found.time), found.place[1])
+    assert RADIUS - DEEPEST < from_axis < RADIUS
+
+
+def test_own_shapes_are_told_by_their_type_and_not_from_a_folder(tmp_path: Path) -> None:
+    own = [(Plane(Vec(-1.0, 0.0, 0.0), -0.6), SurfaceSettings(law="hertz"))]
+    given = thrown(pole(0.0, 1.0), duration=0.1)
+    given["start"] = {"position": [0.2, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0]}
+    flight = springback.fly(given, own=own)
+    assert only(flight).obstacle == "own[0], a Plane"
+    flight.save(tmp_path / "results", figures=False)
+    assert springback.load(tmp_path / "results").obstacle_contacts == ()
+
+
+def test_two_vehicles_name_each_other(tmp_path: Path) -> None:
+    flight = springback.fly(two())
+    assert flight.second is not None
+    first, second = only(flight), only(flight.second)
+    assert first.obstacle == "the second vehicle"
+    assert second.obstacle == "the first vehicle"
+    assert first.force == pytest.approx(second.force, rel=1e-3)
+    assert first.place is not None
+    assert second.place is None
+    flight.save(tmp_path / "results", figures=False)
+    again = springback.load(tmp_path / "results")
+    for one in nonempty(again.obstacle_contacts):
+        assert one == first
+
+
+def test_a_flight_without_contact_touched_nothing() -> None:
+    assert springback.fly(thrown(pole(9.0, 0.0))).obstacle_contacts == ()
