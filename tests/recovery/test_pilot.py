@@ -9,7 +9,15 @@ import springback
 from springback.errors import InputError
 from springback.kernels.trees import leaves, rebuilt
 from springback.kernels.vectors import Vec
-from springback.recovery.state_machine import CRUISE, HOVER, LOOK, RECOVER, RETURN
+from springback.recovery.state_machine import (
+    CRUISE,
+    HOVER,
+    LOOK,
+    RECOVER,
+    RETURN,
+    on_alarm,
+    on_characterisation,
+)
 from springback.results.flight import Flight
 from springback.scenario.avionics import cascade_of
 from springback.scenario.scenario import scenario_from
@@ -123,6 +131,37 @@ def test_the_observer_waits_for_a_sample() -> None:
     assert after[0.0]._replace(thrust=before.thrust) == before
     assert after[1.0].force.x > before.force.x + 0.1
     assert after[1.0].thrust == after[0.0].thrust
+
+
+@pytest.mark.parametrize("way", ["pre-impact", "staged"])
+def test_a_second_alarm_keeps_what_the_pilot_steers_to(way: str) -> None:
+    """While it characterises the next collision, not to the run-up, whose end is behind the wall."""
+    scenario = scenario_from(hit("arq", 0.0, 3.5, 0.002, recovery={"response": {"way": way}}))
+    own = cascade_of(scenario, scenario.flight_model(), scenario.start_state())
+    told: list[Any] = []
+
+    def noting(time: float, measurement: Any, memory: Any) -> tuple[Any, Any]:
+        told.append(measurement)
+        return pilot_output(own.settings, 1e-3, 0, measurement, own.memory, 4).thrust, memory
+
+    springback.fly(scenario, pilot=noting)
+    tick, late = 5000, 5.0  # by then the run-up is over
+    estimate = own.memory.flight.estimate
+    route, hit_ = own.settings.route, own.memory.collision._replace(direction=Vec(1.0, 0.0, 0.0))
+    looking = on_alarm(own.memory.recovery_state, late - 0.01)
+    gone = on_characterisation(route, looking, hit_, estimate, late - 0.005, 0.0)
+    wanted = {}
+    for name, state in (("recovers", gone), ("looks", on_alarm(gone, late))):
+        memory = own.memory._replace(recovery_state=state, collision=hit_)
+        said = pilot_output(own.settings, 1e-3, tick, told[-1], memory, 4).memory
+        assert said.recovery_state.phase == state.phase
+        wanted[name] = said.flight.offboard
+    if way == "staged":  # which has no reference: the last command stays
+        assert wanted["looks"] == own.memory.flight.offboard
+        assert wanted["recovers"].word != wanted["looks"].word
+    else:
+        assert wanted["looks"] == wanted["recovers"]
+        assert abs(wanted["looks"].wanted.position.x) < 1.0
 
 
 def test_two_runs_without_landing() -> None:

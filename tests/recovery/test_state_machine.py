@@ -135,6 +135,19 @@ def test_it_sets_out_again_as_often_as_asked() -> None:
     assert rested(again, HOME, 22.0, 30.0, route).phase == HOVER
 
 
+def test_an_alarm_keeps_the_reference_of_its_phase() -> None:
+    """The reference of the run-up is that of the first alarm alone; each later phase has its own."""
+    first = on_alarm(begun(), 3.0)
+    assert (first.phase, first.followed) == (LOOK, CRUISE)
+    gone = on_characterisation(ROUTE, first, HIT, at(HIT.position), 3.01, 0.0)
+    again = on_alarm(gone, 3.5)
+    assert (gone.followed, again.phase, again.followed) == (RECOVER, LOOK, RECOVER)
+    homing = rested(gone, gone.goal, 3.01, gone.reference_end + SETTINGS.settling.dwell + 0.5)
+    assert (homing.phase, on_alarm(homing, 6.0).followed) == (RETURN, RETURN)
+    hovering = rested(homing, HOME, homing.phase_start, homing.reference_end + 2.0)
+    assert (hovering.phase, on_alarm(hovering, 30.0).followed) == (HOVER, HOVER)
+
+
 def test_without_return_it_stays() -> None:
     route = RecoverySettings(returns=False).route(HOME)
     gone = on_characterisation(route, on_alarm(begun(), 3.0), HIT, at(HIT.position), 3.01, 0.0)

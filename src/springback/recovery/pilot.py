@@ -48,6 +48,7 @@ from springback.recovery.detector import (
 from springback.recovery.response import Staged
 from springback.recovery.stages import stage_command
 from springback.recovery.state_machine import (
+    CRUISE,
     LOOK,
     RECOVER,
     STAGES,
@@ -147,12 +148,12 @@ class StagedCommand(NamedTuple):
 def _phase_command(
     pilot: RecoveryPilot, tick: float, time: float, m: RecoveryPilotMemory
 ) -> Offboard:
-    """Position loop on the reference of the phase."""
+    """Position loop on the reference of the phase, or while LOOK of that before it."""
     c, at, before, state = pilot.cascade, m.flight.estimate, m.flight.offboard, m.recovery_state
-    if state.phase <= LOOK:
+    if state.followed == CRUISE:
         reference = DelayedReference(c.reference, state.run_start)
         return position_loop(c, reference, tick, time, at, before)
-    if state.phase <= RECOVER:
+    if state.followed <= RECOVER:
         return position_loop(c, JerkFreeReference(state.recovery_reference), tick, time, at, before)
     return position_loop(c, JerkFreeReference(state.return_reference), tick, time, at, before)
 
@@ -167,12 +168,16 @@ def _staged_command(
         now = stage_command(response, c.position, m.collision, at, yaw, state.stage)
         arrival = tick + c.schedule.delay
         return StagedCommand(Offboard(before.position, before.wanted, now.word, arrival), now.stage)
+    if state.followed == STAGES:  # while LOOK: its direction is being found again
+        return StagedCommand(before, state.stage)
     return StagedCommand(_phase_command(pilot, tick, time, m), state.stage)
 
 
 @generic
 def steer(response: TreeLayout, pilot: TreeLayout, lanes: Lanes) -> None:
     """Run the position loops of all lanes on the references of their phases.
+
+    While LOOK a lane keeps the reference of the phase in which the alarm was raised.
 
     Args:
         response: Layout of its settings, on whose type it dispatches.
@@ -183,26 +188,27 @@ def steer(response: TreeLayout, pilot: TreeLayout, lanes: Lanes) -> None:
     memory, flight, cascade = avionics.onboard.pilot, avionics.onboard.pilot.flight, pilot.cascade
     state, cruising, recovering, returning = memory.recovery_state, 0, 0, 0
     for i in range(w * once):
-        phase = load(state.phase, g, w, i)
-        cruising += 1 if phase <= LOOK else 0
-        recovering += 1 if (phase > LOOK) & (phase <= RECOVER) else 0
-        returning += 1 if phase > RECOVER else 0
+        followed = load(state.followed, g, w, i)
+        cruising += 1 if followed == CRUISE else 0
+        recovering += 1 if (followed > LOOK) & (followed <= RECOVER) else 0
+        returning += 1 if followed > RECOVER else 0
     # References take long to evaluate, and nearly always all lanes have the same: one at a time.
     for i in range(w * once if cruising > 0 else 0):
         start = load(state.run_start, g, w, i)
         reference = DelayedReference(load(cascade.reference, g, w, i), start)
         now, before = _steer_lane(pilot, reference, lanes, i), load(flight.offboard, g, w, i)
-        mine = load(state.phase, g, w, i) <= LOOK
+        mine = load(state.followed, g, w, i) == CRUISE
         store(select(mine, now, before), flight.offboard, g, w, i)
     for i in range(w * once if recovering > 0 else 0):
         way = JerkFreeReference(load(state.recovery_reference, g, w, i))
         now, before = _steer_lane(pilot, way, lanes, i), load(flight.offboard, g, w, i)
-        phase = load(state.phase, g, w, i)
-        store(select((phase > LOOK) & (phase <= RECOVER), now, before), flight.offboard, g, w, i)
+        followed = load(state.followed, g, w, i)
+        mine = (followed > LOOK) & (followed <= RECOVER)
+        store(select(mine, now, before), flight.offboard, g, w, i)
     for i in range(w * once if returning > 0 else 0):
         way = JerkFreeReference(load(state.return_reference, g, w, i))
         now, before = _steer_lane(pilot, way, lanes, i), load(flight.offboard, g, w, i)
-        mine = load(state.phase, g, w, i) > RECOVER
+        mine = load(state.followed, g, w, i) > RECOVER
         store(select(mine, now, before), flight.offboard, g, w, i)
 
 

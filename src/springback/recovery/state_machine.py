@@ -53,6 +53,7 @@ class RecoveryState(NamedTuple):
     """State of the recovery."""
 
     phase: float
+    followed: float  # phase whose reference is flown: `phase`, or while LOOK that of the alarm
     phase_start: float  # [s]
     stage: float  # of a staged response
     run_start: float  # start of the run-up [s]
@@ -103,7 +104,9 @@ def recovery_at_start(route: Route, nothing: Collision) -> RecoveryState:
     """
     back, home = _placeholder_references(route.response, route.speed, nothing)
     log = Log(NOT_YET, NOT_YET, NOT_YET, NOT_YET, 0.0)
-    return RecoveryState(CRUISE, 0.0, TILTING, 0.0, back, home, 0.0, route.home, NOT_YET, log)
+    return RecoveryState(
+        CRUISE, CRUISE, 0.0, TILTING, 0.0, back, home, 0.0, route.home, NOT_YET, log
+    )
 
 
 def _placeholder_references(
@@ -136,11 +139,12 @@ def _stages_first(response: Staged) -> float:
 
 @kernel
 def on_alarm(recovery_state: RecoveryState, time: float) -> RecoveryState:
-    """State after an alarm: LOOK."""
+    """State after an alarm: LOOK, on the reference of the phase before it."""
     log = Log(time, NOT_YET, NOT_YET, NOT_YET, recovery_state.log.runs)
     return replace(
         recovery_state,
         phase=LOOK,
+        followed=recovery_state.phase,
         phase_start=time,
         stage=TILTING,
         reference_end=time,
@@ -163,9 +167,9 @@ def on_characterisation(
     plan: RecoveryPlan = recovery_plan(route.response, hit, goal, at, time, yaw)
     log = replace(recovery_state.log, planned=time, settled=NOT_YET, home=NOT_YET)
     return replace(
-        recovery_state, phase=_first_phase(route.response), phase_start=time, stage=TILTING,
-        recovery_reference=plan.reference, reference_end=plan.ends, goal=goal,
-        near_since=NOT_YET, log=log,
+        recovery_state, phase=_first_phase(route.response), followed=_first_phase(route.response),
+        phase_start=time, stage=TILTING, recovery_reference=plan.reference,
+        reference_end=plan.ends, goal=goal, near_since=NOT_YET, log=log,
     )  # fmt: skip
 
 
@@ -181,7 +185,7 @@ def _after_stages(
     """State after the stages: stay here."""
     plan: RecoveryPlan = recovery_plan(route.response, hit, at.position, at, time, yaw)
     return replace(
-        recovery_state, phase=RECOVER, phase_start=time, stage=OVER,
+        recovery_state, phase=RECOVER, followed=RECOVER, phase_start=time, stage=OVER,
         recovery_reference=plan.reference, reference_end=time, goal=at.position,
         near_since=NOT_YET,
     )  # fmt: skip
@@ -195,8 +199,8 @@ def _after_recovery(
     goal = select(route.returns > 0.5, route.home, recovery_state.goal)
     plan = homeward(recovery_state.goal, goal, route.speed, time, yaw)
     return replace(
-        recovery_state, phase=RETURN, phase_start=time, return_reference=plan.reference,
-        reference_end=plan.ends, goal=goal, near_since=NOT_YET,
+        recovery_state, phase=RETURN, followed=RETURN, phase_start=time,
+        return_reference=plan.reference, reference_end=plan.ends, goal=goal, near_since=NOT_YET,
         log=replace(recovery_state.log, settled=time, home=NOT_YET),
     )  # fmt: skip
 
@@ -209,6 +213,7 @@ def _after_return(route: Route, recovery_state: RecoveryState, time: float) -> R
     return replace(
         recovery_state,
         phase=select(again, CRUISE, HOVER),
+        followed=select(again, CRUISE, HOVER),
         phase_start=time,
         run_start=select(again, time, recovery_state.run_start),
         near_since=NOT_YET,
