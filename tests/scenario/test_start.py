@@ -20,6 +20,7 @@ from springback.errors import InputError
 from springback.frames import attitude_from_euler
 from springback.kernels.vectors import Vec
 from springback.scenario.model import start_state
+from springback.scenario.overrides import apply_overrides
 from springback.scenario.scenario import scenario_from
 from springback.simulation.measuring.record import Model
 from springback.vehicle.state import State
@@ -178,6 +179,26 @@ def test_a_reference_begins_at_its_place() -> None:
     tables = {"vehicle": "arq", "reference": {"type": "hold"}}
     with pytest.raises(InputError, match=r"touch_distance: cannot be combined with a reference"):
         scenario_from(tables | {"start": {"velocity": [1, 0, 0], "touch_distance": 0.0}})
+
+
+def test_to_hold_is_to_stay_where_it_starts() -> None:
+    """Without a position of its own, in a second vehicle too; 1 m above the origin without a start."""
+    hold = {"vehicle": "arq", "reference": {"type": "hold"}}
+    high = {"position": [0.2, 0.1, "1.5 m"]}
+    other = hold | {"start": {"position": [2.0, 0.0, 1.2]}}
+    both = scenario_from(hold | {"start": high, "second": other})
+    kept = scenario_from(
+        {**hold, "reference": {"type": "hold", "position": [0, 0, 1]}, "start": high}
+    )
+    bare = scenario_from(hold | {"start": {"pitch": 0.1}})
+    moved = scenario_from(apply_overrides(hold | {"start": high}, ["start.position.2=1.7"]))
+    raised = scenario_from(apply_overrides(hold | {"start": high}, ["reference.position.2=2"]))
+    assert both.second is not None
+    held = [one.reference for one in (both, both.second, kept, bare, moved, raised)]
+    assert [one.position for one in nonempty(held)] == [
+        (0.2, 0.1, 1.5), (2.0, 0.0, 1.2), (0.0, 0.0, 1.0), (0.0, 0.0, 1.0), (0.2, 0.1, 1.7),
+        (0.2, 0.1, 2.0),
+    ]  # fmt: skip
 
 
 # -- of obstacles ----------------------------------------------------------------------------------

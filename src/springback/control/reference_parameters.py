@@ -43,6 +43,7 @@ class HoldSettings(Settings):
 
     type: Literal["hold"]
     position: Place = HOME
+    """Without one it stays at ``start.position``, if that is given."""
     yaw: Angle = 0.0
 
     def reference(self, limits: Limits, reach: Reach) -> Polynomials:

@@ -313,18 +313,28 @@ def _second(given: Any, scenario: Mapping[str, Any]) -> Any:
     return {**air, **_of_a_vehicle(others), **surface}
 
 
+#: Key of the place at which references begin, by their types.
+_PLACES = {"run-up": "start", "hold": "position"}
+
+
 def _with_its_start(given: Mapping[str, Any]) -> dict[str, Any]:
-    """A raw scenario whose run-up begins at ``start.position``, unless it has its own ``start``."""
+    """A raw scenario whose reference begins at ``start.position``, unless it says where.
+
+    A run-up begins there without a ``start`` of its own, and to hold is to stay there without a
+    ``position``.
+    """
     result, reference, start = dict(given), given.get("reference"), given.get("start")
     if not isinstance(reference, Mapping) or not isinstance(start, Mapping):
         return result
-    if reference.get("type") != "run-up" or "start" in reference or "position" not in start:
+    kind = reference.get("type")
+    place = _PLACES.get(kind) if isinstance(kind, str) else None
+    if place is None or place in reference or "position" not in start:
         return result
     try:
         position = POSITION.triple(start["position"])
     except PydanticCustomError:  # reported where it was written
         return result
-    return {**result, "reference": {**reference, "start": position}}
+    return {**result, "reference": {**reference, place: position}}
 
 
 def _with_its_duration(given: Mapping[str, Any]) -> dict[str, Any]:
@@ -338,7 +348,7 @@ def _with_its_duration(given: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def expand_presets(given: Mapping[str, Any]) -> dict[str, Any]:
-    """A raw scenario, presets replaced by their values; a run-up begins where the vehicle does."""
+    """A raw scenario, presets replaced by their values; its reference begins at its start."""
     result = _with_its_duration(_of_a_vehicle(given))
     if result.get("second") is not None:
         with within("second"):
