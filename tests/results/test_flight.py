@@ -364,6 +364,26 @@ def at_a_plate(thick: float, **changes: Any) -> dict[str, Any]:
     }  # fmt: skip
 
 
+@pytest.mark.parametrize(
+    ("rebound", "kept", "words"),
+    [
+        (0.5, "all", None), (-0.1, "all", "; below 0: it left past what it hit"),
+        (1.2, "none", "; above 1: it left faster along the normal of its first touch than it came; "),
+        (1.2, "two cages", " contacts (cage 1, cage 2) are one impact, measured along the normal of "),
+    ],
+)  # fmt: skip
+def test_a_restitution_beyond_0_to_1_is_explained(
+    flight: Flight, rebound: float, kept: str, words: str | None
+) -> None:
+    """With the contacts that the first impact joins, if the trajectory tells them."""
+    measured = flight.measures | {"restitution_at_separation": rebound}
+    c = flight.columns
+    columns = {"all": c, "none": {}, "two cages": c | {"fn1": c["fn2"], "ff1": c["ff2"]}}[kept]
+    told = replace(flight, measures=measured, columns=columns)
+    line = next(one for one in repr(told).splitlines() if "restitution_at_separation" in one)
+    assert words in line if words else line.endswith(f" {rebound}")
+
+
 @pytest.mark.filterwarnings("ignore::springback.errors.LedgerWarning")
 def test_a_plate_that_is_pushed_through_is_told_and_nothing_bounces() -> None:
     """Of 3 cm: half its thickness is the depth of contact; a stiffer or thicker one bounces."""

@@ -19,6 +19,7 @@ from springback.errors import (
     LedgerWarning,
     OverlapWarning,
 )
+from springback.results.contacts.restitution import restitution_note
 from springback.results.joints.overlap import overlapping_cages
 from springback.results.measures import FlightMeasures
 from springback.results.meshes import Mesh, surfaces_of
@@ -231,10 +232,11 @@ class FlightResult(FlightMeasures):
         lines = [f"Flight {self.scenario.name!r}: {self.outcome.word} ({self.message})"]
         shown = self.readable_measures()
         width = max(len(line.name) for line in shown)
+        left = self.measures.get("separation_time")
         rebound = self.measures.get("restitution_at_separation")
-        passed = rebound is not None and rebound < 0.0
+        note = restitution_note(rebound, self.columns, left)
         whys = {
-            "restitution_at_separation": "; below 0: it left past what it hit" * passed,
+            "restitution_at_separation": f"; {note}" if note else "",
             "peak_acceleration": self._later_peak(),
             "impact_arm_stroke": self._bottomed(),
             "broken_time": "".join(f", {part}" for part in self.broken_parts),
