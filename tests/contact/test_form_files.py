@@ -283,6 +283,7 @@ def npy(path: Path, values: Any) -> str:
         (lambda p: npy(p / "h.npy", np.zeros((5, 3))), {"spacing": 0.1}, r"at least 4 x 4 heights \(got 5 x 3"),
         (lambda p: npy(p / "h.npy", np.full((5, 5), np.nan)), {"spacing": 0.1}, r"height \[0, 0\] is not finite"),
         (lambda p: npy(p / "h.npy", np.array(["a", {}], dtype=object)), {"spacing": 0.1}, "must hold numbers"),
+        (lambda p: npy(p / "h.npy", np.array([["a"] * 5] * 5)), {"spacing": 0.1}, r"^[^(]*h\.npy: must hold numbers \(got text\)$"),
         (lambda p: npy(p / "h.npy", np.zeros((5, 5))), {"spacing": 0.1, "range": (0, 1)}, "range: is for images"),
         (lambda p: npy(p / "h.npy", np.zeros((5, 5))), {"spacing": 0.0}, "spacing: must be more than 0 m"),
         (lambda p: str(p / "none.npy"), {"spacing": 0.1}, "cannot be read"),

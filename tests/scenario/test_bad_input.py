@@ -6,9 +6,11 @@ from pathlib import Path
 
 import pytest
 
+from builders.cases import nonempty
 from springback.errors import InputError
 from springback.results.flight import as_scenario
 from springback.scenario.files import read_scenario
+from springback.scenario.overrides import apply_overrides
 
 GOOD = """\
 name = "test"
@@ -437,3 +439,14 @@ def test_entries_that_are_not_there_are_counted(tmp_path: Path) -> None:
     word = "world.obstacles.0.distance=1"
     assert "there is no entry 0; the list is empty" in problem_of(path, word)
     assert "it is not a list" in problem_of(path, "vehicle.arms.length.0=0.2")
+    said = problem_of(path, "start.velocty.0=2")
+    assert said.endswith("unknown key 'velocty'; did you mean velocity?"), said
+    assert "unknown key 'zzz'; known here: " in problem_of(path, "start.zzz.0=2")
+
+
+def test_a_number_may_begin_or_end_with_its_point(tmp_path: Path) -> None:
+    """In an override; TOML itself wants a digit on both sides."""
+    given = {"start": {"position": [0.0, 0.0, 1.0]}}
+    for text, value in nonempty({"-.22": -0.22, ".5e-1": 0.05, "+2.": 2.0}.items()):
+        found = apply_overrides(given, [f"start.position.1={text}"])
+        assert found["start"]["position"][1] == value

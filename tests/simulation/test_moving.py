@@ -327,7 +327,12 @@ WRONG: dict[str, tuple[dict[str, Any], str]] = {
     "an empty table": ({"type": "table", "time": [0.0, 1.0]}, "needs position, angle or both"),
     "no axis": ({"type": "constant", "axis": [0.0, 0.0, 0.0]}, "must not be zero"),
     "stops on one side": (
-        {"type": "hinge", "mass": 1.0, "pivot": [0.0, 0.0, 0.0], "lowest": 0.2}, "between them"
+        {"type": "hinge", "mass": 1.0, "pivot": [0.0, 0.0, 0.0], "lowest": 0.2},
+        "motion.lowest: must be at most 0 deg (got 0.2 rad, which is 11.4592 deg)",
+    ),
+    "stops on the other side": (
+        {"type": "hinge", "mass": 1.0, "pivot": [0.0, 0.0, 0.0], "highest": "-5 deg"},
+        "motion.highest: must be at least 0 deg (got '-5 deg')",
     ),
     "an unknown motion": ({"type": "dance"}, "motion"),
 }  # fmt: skip

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import re
 import tomllib
 from collections.abc import Sequence
 from typing import Any
 
 from springback.errors import InputError, shown_value
-from springback.problems import key_path
+from springback.problems import key_path, nearest_name
 from springback.scenario.fields import fields_of
 from springback.scenario.scenario import Scenario, expand_presets
 from springback.scenario.source_text import MOST_DEPTH, check_depth
@@ -19,9 +20,14 @@ Key = str | int
 #: Two notations of the attitude at the start: an override in one replaces the file's in the other.
 _ANGLES = frozenset({"roll", "pitch", "yaw"})
 
+#: Numbers that TOML does not know, without a digit before or after the point.
+_SHORT_NUMBER = re.compile(r"[+-]?(?:\.[0-9]+|[0-9]+\.)(?:[eE][+-]?[0-9]{1,3})?")
+
 
 def _value(text: str) -> Any:
-    """Value of an override: parsed as TOML if possible, else the text itself."""
+    """Value of an override: parsed as TOML if possible, else a number or the text itself."""
+    if _SHORT_NUMBER.fullmatch(text):
+        return float(text)
     try:
         return tomllib.loads(f"value = {text}")["value"]
     except (ValueError, RecursionError):
@@ -137,7 +143,8 @@ def with_value(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
         node = _named_table(node)
     if isinstance(head, int):
         if not isinstance(node, list) or head >= len(node):
-            raise InputError(f"{shown_value(word)}: there is no entry {head}{_entry_count(node)}")
+            problem = _misspelt(word) or f"there is no entry {head}{_entry_count(node)}"
+            raise InputError(f"{shown_value(word)}: {problem}")
         entry = with_value(node[head], rest, value, word) if rest else value
         return [*node[:head], entry, *node[head + 1 :]]
     if not isinstance(node, dict):
@@ -153,6 +160,23 @@ def with_value(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
 def _named_table(word: str) -> dict[str, Any]:
     """Table of a name alone: that of code of the user's own, else of a preset."""
     return {"code" if CODE_FORM.match(word) else "preset": word}
+
+
+def _misspelt(word: str) -> str:
+    """Problem with the first key of an override that its table does not know, or empty."""
+    table: Any = Scenario
+    for key in key_path(word.partition("=")[0].strip()):
+        if not isinstance(key, str) or not issubclass(table, Settings):
+            return ""
+        known = {one.key for one in fields_of(table).values()}
+        if key not in known:
+            near = nearest_name(key, known)
+            hint = (
+                f"; did you mean {near}?" if near else f"; known here: {', '.join(sorted(known))}"
+            )
+            return f"unknown key {shown_value(key)}{hint}"
+        table = _table_of(table, key)
+    return ""
 
 
 def _entry_count(node: Any) -> str:

@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.lib import format as npy
+from pydantic_core import PydanticCustomError
 
 from springback.settings import problem
 
@@ -139,6 +140,13 @@ def suffix_of(file: str, known: Mapping[str, Any] | tuple[str, ...]) -> str:
 # -- arrays of numbers ----------------------------------------------------------------------------
 
 
+#: Kinds of entries of an array that are no numbers, by NumPy's letter.
+_OTHERS = {
+    "U": "text", "S": "text", "O": "Python objects", "V": "records", "c": "complex numbers",
+    "M": "dates", "m": "time differences",
+}  # fmt: skip
+
+
 def _npy(file: str, data: bytes, most: int) -> Array:
     stream = io.BytesIO(data)
     try:
@@ -148,11 +156,14 @@ def _npy(file: str, data: bytes, most: int) -> Array:
         )
         shape, _, kind = read(stream)
         if kind.kind not in "fiub":
-            raise problem(f"{file}: must hold numbers (got {kind})", "file")
+            what = _OTHERS.get(kind.kind, f"{kind}")
+            raise problem(f"{file}: must hold numbers (got {what})", "file")
         if (count := math.prod(shape)) > most:
             raise problem(f"{file}: must hold at most {most} numbers (got {count})", "file")
         stream.seek(0)
         found: Array = npy.read_array(stream, allow_pickle=False)
+    except PydanticCustomError:  # a whole file, of other things or too many: a ValueError, too
+        raise
     except (ValueError, EOFError, OSError, SyntaxError, MemoryError) as error:
         what = " ".join(str(error).split())[:120]
         raise problem(f"{file}: is not a whole file of NumPy ({what})", "file") from None

@@ -143,10 +143,10 @@ class HingeMotion(_MassiveMotion):
     """c of the closer."""
     rest: Angle = 0.0
     """Angle at which the closer is relaxed."""
-    lowest: Angle = -math.pi
-    """Angle of the stop against turning backwards."""
-    highest: Angle = math.pi
-    """Angle of the stop against turning forwards."""
+    lowest: Annotated[float, Unit("rad", most=0.0)] = -math.pi
+    """Angle of the stop against turning backwards; 0 is that at the start."""
+    highest: Annotated[float, Unit("rad", least=0.0)] = math.pi
+    """Angle of the stop against turning forwards; 0 is that at the start."""
     stop_stiffness: AngularStiffness = STOP
     """Of both stops."""
 
@@ -154,12 +154,6 @@ class HingeMotion(_MassiveMotion):
     def _is_a_hinge(self) -> HingeMotion:
         if not math.hypot(*self.axis) > 0.0:
             raise problem("must not be zero", "axis")
-        if not self.lowest <= 0.0 <= self.highest:
-            raise problem(
-                f"and highest must have 0, the angle at the start, between them (got "
-                f"{math.degrees(self.lowest):g} and {math.degrees(self.highest):g} deg)",
-                "lowest",
-            )
         return self
 
 
