@@ -1,11 +1,16 @@
 """Shapes of the user's own are checked from all sides, the hidden one included."""
 
+import importlib.util
 import math
+import re
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any, NamedTuple
 
+import numpy as np
 import pytest
 
+from builders.cases import nonempty
 from builders.user_obstacles import Ball, Box, Pole, pole_distance, pole_normal
 from springback.contact.obstacles import outward_normal, signed_distance
 from springback.kernels.vectors import Vec, norm
@@ -24,6 +29,71 @@ START = Vec(0.0, 0.0, 1.0)
 )
 def test_a_good_shape_passes(shape: Any) -> None:
     assert [finding.sentence for finding in check_shape(shape, START) if not finding.passed] == []
+
+
+class Implicit(NamedTuple):
+    """Waves x > X + a cos(k y), their function over the length of its gradient everywhere."""
+
+    x: float
+    amplitude: float
+    number: float
+    band: float = 0.0
+
+
+@signed_distance.register(Implicit)
+def _(wave: Implicit, point: Vec) -> float:
+    f = wave.x + wave.amplitude * math.cos(wave.number * point.y) - point.x
+    return f / math.hypot(1.0, wave.amplitude * wave.number * math.sin(wave.number * point.y))
+
+
+@outward_normal.register(Implicit)
+def _(wave: Implicit, point: Vec) -> Vec:
+    slope = wave.amplitude * wave.number * math.sin(wave.number * point.y)
+    inverse = 1.0 / math.hypot(1.0, slope)
+    return Vec(-inverse, -slope * inverse, 0.0)
+
+
+def documented(folder: Path) -> Any:
+    """The type of the recipe for implicit functions in docs/howto/obstacle.md."""
+    text = (Path(__file__).parents[2] / "docs/howto/obstacle.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"```python\n(.*?)```", text, re.DOTALL)
+    path = folder / "documented_wave.py"
+    path.write_text(next(one for one in blocks if "class Wavy" in one), encoding="utf-8")
+    spec = importlib.util.spec_from_file_location("documented_wave", path)
+    assert spec is not None
+    assert spec.loader is not None
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module.Wavy
+
+
+def test_the_recipe_for_implicit_functions_passes_where_the_plain_one_fails(
+    tmp_path: Path,
+) -> None:
+    """The message tells both gradients; what passes is nowhere above the distance by more than 1 %."""
+    start = Vec(1.5, 0.0, 1.0)
+    plain = [one for one in check_shape(Implicit(3.0, 0.5, 6.0), start) if not one.passed]
+    assert re.search(
+        r"signed_distance at \[[^]]*\] m changes by \S+ m on a way of \S+ m; .* the largest that",
+        plain[0].sentence,
+    )
+    wave = documented(tmp_path)(3.0, 0.5, 6.0, 0.025)
+    assert [one.sentence for one in check_shape(wave, start) if not one.passed] == []
+    y = np.linspace(-1.6, 1.6, 20_001)
+    x = 3.0 + 0.5 * np.cos(6.0 * y)
+    for across in nonempty(np.linspace(-0.6, 0.6, 25)):
+        for ahead in nonempty(np.linspace(1.0, 3.5, 126)):
+            returned = signed_distance(wave, Vec(float(ahead), float(across), 1.0))
+            if returned > 1e-3:
+                assert returned < 1.01 * np.hypot(x - ahead, y - across).min()
+
+
+def test_it_says_at_how_many_points_it_looked() -> None:
+    """Waves so flat that 5 % hide what is too much: nothing is said of other points."""
+    found = {one.name: one for one in check_shape(Implicit(3.0, 0.1, 4.0), START)}
+    assert found["signed_distance"].passed
+    said = found["signed_distance"].sentence
+    assert re.search(r"at the [0-9]{4} points looked at no more than 5 % above that to where", said)
 
 
 class Wrong(NamedTuple):
@@ -81,7 +151,7 @@ def _(pole: Wrong, point: Vec) -> Any:
         (0, "signed_distance", "changes by 0.3 m a metre"),
         (1, "signed_distance", "nan"),
         (2, "signed_distance", "ZeroDivisionError"),
-        (3, "signed_distance", "mm inside, is what changes by 0.3 m a metre"),
+        (3, "signed_distance", "mm inside, changes by 0.3 m a metre"),
         (4, "outward_normal", "1.1 long"),  # on the side that the start does not see
         (5, "outward_normal", "gradient of signed_distance is"),
         (6, "outward_normal", "1.1 long"),  # two metres above the start

@@ -7,11 +7,14 @@ import math
 from collections.abc import Iterator
 from typing import Any
 
+import numpy as np
+from scipy.spatial import KDTree
+
 from springback.contact.obstacles import signed_distance
 from springback.errors import InputError
 from springback.kernels.vectors import Vec, norm
 from springback.progress import Progress, silent
-from springback.scenario.user.obstacles import check_shape_from
+from springback.scenario.user.obstacles import SHARE, SampledPoints, check_shape_from
 from springback.studies.pilot_check import Finding
 
 #: Distance of the points of view from the surface [m] (chosen: that of a vehicle before a contact).
@@ -38,7 +41,8 @@ def check_shape(shape: Any, start: Vec, *, progress: Progress = silent) -> list[
     reached so, as where the distance is limited, in all directions.  From points around the nearest
     place others are looked for, up to `MOST_PLACES`.  Rays from the start, and from points around
     all places, then sample both functions
-    (`springback.scenario.user.obstacles.check_shape_from`).
+    (`springback.scenario.user.obstacles.check_shape_from`).  At all points on their ways the
+    distance is compared with that from all places where the surface was met.
 
     Args:
         shape: A NamedTuple with `signed_distance` and `outward_normal`.
@@ -56,19 +60,27 @@ def check_shape(shape: Any, start: Vec, *, progress: Progress = silent) -> list[
         views += [view for place in places[1:] for view in _sides(shape, place)]
     except InputError as error:
         problems += error.problems
+    seen: list[SampledPoints] = []
     for k, view in enumerate(views, start=1):
         try:
-            check_shape_from(view, shape, "shape")
+            seen.append(check_shape_from(view, shape, "shape"))
         except InputError as error:
             problems += error.problems
         progress(k / len(views))
+    points = [point for one in seen for point in one.outside]
+    if not problems:
+        problems += _overstated(shape, points, [point for one in seen for point in one.surface])
     where = f"nearest at {_text(places[0])} m" if places else "no surface was reached"
     if len(places) > 1:
         low, high = Vec(*map(min, *places)), Vec(*map(max, *places))
         where += f", sampled in {len(places)} places from {_text(low)} to {_text(high)} m"
     findings = [Finding("has a surface", bool(places), f"seen from {_text(start)} m: {where}")]
     for name, good in (
-        ("signed_distance", "finite, nowhere more than the true one, grows by 1 m a metre"),
+        (
+            "signed_distance",
+            f"finite, grows by 1 m a metre, and at the {len(points)} points looked at no more than "
+            f"{100.0 * SHARE:g} % above that to where the surface was met",
+        ),
         ("outward_normal", "1 long, and the gradient of signed_distance"),
     ):
         bad = [line for line in problems if line.startswith(f"shape: {name}")]
@@ -80,6 +92,22 @@ def check_shape(shape: Any, start: Vec, *, progress: Progress = silent) -> list[
     if others:
         findings.append(Finding("answers everywhere", False, others[0].partition(": ")[2]))
     return findings
+
+
+def _overstated(shape: Any, points: list[Vec], surface: list[Vec]) -> list[str]:
+    """Problem with the point at which the returned distance is most above the true one, if any."""
+    if not points or not surface:
+        return []
+    nearest = np.asarray(KDTree(np.array(surface)).query(np.array(points))[0])
+    returned = np.array([_distance(shape, point) for point in points])
+    above = returned - (1.0 + SHARE) * nearest - STEP
+    worst = int(np.argmax(above))
+    if above[worst] <= 0.0:
+        return []
+    return [
+        f"shape: signed_distance at {_text(points[worst])} m is {returned[worst]:.6g} m, and its "
+        f"surface is no farther than {nearest[worst]:.6g} m"
+    ]
 
 
 def _places(shape: Any, start: Vec) -> list[Vec]:

@@ -149,7 +149,14 @@ def check_own_obstacles(own: Sequence[Own], start: Vec, names: Sequence[str] = (
             _SEEN.add(known)
 
 
-def check_shape_from(start: Vec, shape: Any, name: str) -> None:
+class SampledPoints(NamedTuple):
+    """Points at which a shape was looked at."""
+
+    outside: tuple[Vec, ...]  # on the way to the surface, world [m]
+    surface: tuple[Vec, ...]  # where rays met it, world [m]
+
+
+def check_shape_from(start: Vec, shape: Any, name: str) -> SampledPoints:
     """Reject a shape whose distance or normal is wrong where rays from a point meet it.
 
     Args:
@@ -157,10 +164,16 @@ def check_shape_from(start: Vec, shape: Any, name: str) -> None:
         shape: The shape.
         name: Of the shape, for errors.
 
+    Returns:
+        The points that were looked at.
+
     Raises:
         InputError: With the first point that is wrong.
     """
-    _Sampled(name, shape).check(start)
+    sampled = _Sampled(name, shape)
+    sampled.check(start)
+    outside = (point for hit in sampled.hits for point in hit.before)
+    return SampledPoints(tuple(outside), tuple(hit.point for hit in sampled.hits))
 
 
 #: Validated shapes, by their numbers and the cubic metre of the start.
@@ -172,17 +185,17 @@ class _Sampled:
 
     def __init__(self, name: str, shape: Any) -> None:
         self.name, self.shape = name, shape
+        self.hits: list[_RayHit] = []
 
     def check(self, start: Vec) -> None:
         there = self.distance(start)
-        found = False
         for direction in itertools.chain([-self.gradient(start)], _directions()):
             if norm(direction) > UNIT:
                 hit = self.ray_hit(start, direction * (1.0 / norm(direction)), abs(there))
                 if hit is not None:
-                    found = True
+                    self.hits.append(hit)
                     self.check_at(hit)
-        if not found:
+        if not self.hits:
             self.normal(start)  # no hit: check at least for a unit vector
 
     def ray_hit(self, start: Vec, direction: Vec, first: float) -> _RayHit | None:
@@ -202,9 +215,10 @@ class _Sampled:
             if change > STEEP * stride + STEP and steep is None:
                 steep = (
                     point,
-                    f"what changes by {change:.4g} m on a way of {stride:.4g} m; distances change "
-                    "by no more than the way: divide a function that is zero on the surface by "
-                    "the length of its gradient",
+                    f"changes by {change:.4g} m on a way of {stride:.4g} m; a distance changes by "
+                    "no more than the way: divide a function that is zero on the surface by the "
+                    "length of its gradient near the surface, and farther away by the largest "
+                    "that its gradient has anywhere",
                 )
             low = high
             if high > 50.0 * (first + 1.0):
@@ -228,7 +242,7 @@ class _Sampled:
             if returned > true * (1.0 + SHARE) + STEP:
                 self.refuse(
                     "signed_distance", before,
-                    f"{returned:.6g} m, and its surface is no farther than {true:.6g} m",
+                    f"is {returned:.6g} m, and its surface is no farther than {true:.6g} m",
                 )  # fmt: skip
         gradient = self.gradient(point)
         if not self.is_crease(point):
@@ -246,13 +260,13 @@ class _Sampled:
     def refuse_growth(self, point: Vec, size: float, where: str = "") -> None:
         self.refuse(
             "signed_distance", point,
-            f"what changes by {size:.4g} m a metre along the normal; of a distance it is 1", where,
+            f"changes by {size:.4g} m a metre along the normal; a distance changes by 1", where,
         )  # fmt: skip
 
     def refuse_normal(self, point: Vec, n: Vec, gradient: Vec, where: str = "") -> None:
         self.refuse(
             "outward_normal", point,
-            f"{_text(n)}, and the gradient of signed_distance is {_text(gradient)}", where,
+            f"is {_text(n)}, and the gradient of signed_distance is {_text(gradient)}", where,
         )  # fmt: skip
 
     def check_beside(self, point: Vec, out: Vec) -> None:
@@ -323,7 +337,7 @@ class _Sampled:
         returned = self.value(signed_distance, point)
         if not isinstance(returned, float) or not math.isfinite(returned):
             self.refuse(
-                "signed_distance", point, f"{shown_value(returned)}; it must be a finite float"
+                "signed_distance", point, f"is {shown_value(returned)}; it must be a finite float"
             )
         return float(returned)
 
@@ -331,12 +345,12 @@ class _Sampled:
         """Normal returned by the shape."""
         returned = self.value(outward_normal, point)
         if not isinstance(returned, Vec):
-            self.refuse("outward_normal", point, f"{shown_value(returned)}; it must be a Vec")
+            self.refuse("outward_normal", point, f"is {shown_value(returned)}; it must be a Vec")
         if not abs(norm(returned) - 1.0) <= UNIT:
             self.refuse(
                 "outward_normal",
                 point,
-                f"{_text(returned)}, {norm(returned):.6g} long; it must be 1 long",
+                f"is {_text(returned)}, {norm(returned):.6g} long; it must be 1 long",
             )
         return Vec(*returned)
 
@@ -351,7 +365,7 @@ class _Sampled:
             ) from error
 
     def refuse(self, function: str, point: Vec, what: str, where: str = "") -> None:
-        raise InputError(f"{self.name}: {function} at {_text(point)} m{where} is {what}")
+        raise InputError(f"{self.name}: {function} at {_text(point)} m{where} {what}")
 
 
 _AXES = (Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0), Vec(0.0, 0.0, 1.0))
