@@ -20,9 +20,21 @@ if TYPE_CHECKING:
 
 @click.command()
 @click.argument("preset", required=False, shell_complete=complete_preset())
+@click.option(
+    "--keys",
+    is_flag=True,
+    help="Show the keys of a scenario instead, or of a table such as start or world.obstacles.",
+)
 @terminal_options("as_json")
-def show(preset: str | None, terminal: Terminal) -> None:
-    """Show a vehicle, surface, estimator or material PRESET with its sources; or all of them."""
+def show(preset: str | None, keys: bool, terminal: Terminal) -> None:
+    """Show a vehicle, surface, estimator or material PRESET with its sources; or all of them.
+
+    With --keys a table of a scenario in place of PRESET: unit, range, default, meaning of each key.
+
+    \b
+    springback show arq
+    springback show --keys reference
+    """
     from springback.contact.library import SOURCES, SURFACES
     from springback.scenario.scenario import preset as known_preset
     from springback.sensing.library import ESTIMATORS
@@ -30,6 +42,9 @@ def show(preset: str | None, terminal: Terminal) -> None:
     from springback.vehicle.library import VEHICLES
     from springback.vehicle.materials import MATERIALS, MaterialRange
 
+    if keys:
+        _show_keys(preset or "", terminal)
+        return
     if preset is None:
         names = {name: entry.summary for name, entry in VEHICLES.items()}
         names |= {
@@ -74,6 +89,25 @@ def show(preset: str | None, terminal: Terminal) -> None:
         "derived": extra,
     }
     terminal.print(data, as_lines(data))
+
+
+def _show_keys(path: str, terminal: Terminal) -> None:
+    """Print the tables that may be at a path of a scenario, and where there are others."""
+    from springback.interfaces.reports.table_keys import key_tables, table_paths, table_text
+
+    found = key_tables(path)
+    below = [one for one in table_paths() if not path or one.startswith(f"{path}.")]
+    data = {
+        "tables": [
+            one._asdict() | {"keys": [line._asdict() for line in one.keys]} for one in found
+        ],
+        "below": below,
+    }
+    parts = [table_text(one) for one in found]
+    if below:
+        lines = [f"  springback show --keys {one}" for one in below]
+        parts.append("\n".join(["tables below, each with its keys:", *lines]))
+    terminal.print(data, "\n\n".join(parts))
 
 
 @click.command()

@@ -1,0 +1,275 @@
+"""Keys of settings for reading: unit, range, default and meaning, as their source declares them.
+
+The documentation's tables and ``springback show --keys`` are made from these.
+"""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import itertools
+import math
+import textwrap
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+from springback.errors import InputError
+from springback.problems import dotted_path, key_path, nearest_name
+from springback.quantities import PerArm, Quadruple, Triple
+from springback.scenario.fields import TableField, fields_of
+from springback.scenario.scenario import Scenario
+from springback.settings import Settings
+
+#: Keys whose names say nearly all; the source has no words for them.
+PLAIN = {
+    "type": "Which kind of table this is.",
+    "name": "As it stands in results.",
+    "mass": "Mass.",
+    "cage_radius": "Radius r₀ of the circle around the rotor.",
+    "stiffness": "k_l of the spring.",
+    "damping": "b_l of the damper.",
+    "stop_stiffness": "k of the stops' force.",
+    "gravity": "g, along −Z.",
+    "obstacles": "What there is to hit, one table each.",
+    "law": "Of the normal force.",
+    "exponent": "n of the law.",
+    "restitution": "e; with it c_a is solved for.",
+    "restitution_speed": "Speed at which e is meant.",
+    "friction": "μ.",
+    "height": "Of its face above Z = 0, or of a body.",
+    "thickness": "From its face to the wall behind, or of a wall.",
+    "position": "Of the main body, of a centre, or a point of the face.",
+    "positions": "One after another.",
+    "velocity": "Of the main body, world axes.",
+    "roll": "Euler angle, ZYX.",
+    "pitch": "Euler angle, ZYX; positive is nose down.",
+    "yaw": "Euler angle, ZYX.",
+    "angular_velocity": "Body axes.",
+    "centre": "Of the circle.",
+    "radius": "Of the circle, or of a round body.",
+    "top_radius": "At the top; 0 is a tip.",
+    "tube_radius": "Of the tube.",
+    "edge_radius": "By which its edges are rounded, within its size.",
+    "size": "Width and height.",
+    "width": "Across.",
+    "steps": "Number of steps.",
+    "rise": "Height of a step.",
+    "tread": "Depth of a step.",
+    "seed": "Of its random places.",
+    "period": "Time for one round.",
+    "begins": "Until then the robot waits at the first point.",
+    "start": "Where it begins, at rest; in a scenario ``start.position`` unless given.",
+    "rate": "Of its samples.",
+    "delay": "From sample to arrival.",
+    "full_scale": "Readings end at plus and minus this.",
+    "bits": "Of the converter.",
+    "remanence": "B_r of the magnet.",
+    "magnet_radius": "Of the disc.",
+    "magnet_thickness": "Of the disc.",
+    "sensitivity": "Output per field.",
+    "supply": "Voltage of sensor and converter.",
+    "quiescent": "Output without a field.",
+    "lowest": "Output, saturated.",
+    "highest": "Output, saturated.",
+    "initial_velocity": "Standard deviation at the start.",
+    "initial_attitude": "Standard deviation at the start.",
+    "initial_accelerometer_bias": "Standard deviation at the start.",
+    "initial_gyroscope_bias": "Standard deviation at the start.",
+    "duration": "Of the flight.",
+    "free_step": "Largest step in free flight.",
+    "impact_step": "Step while something touches.",
+    "method": "How samples are laid out.",
+    "from_": "Lower end.",
+    "to": "Upper end.",
+    "spacing": "Between the ends.",
+    "heading": "Yaw at the start.",
+    "wall_distance": "Of the wall.",
+    "wall_yaw": "Turn of the wall.",
+    "inertia": "True over believed.",
+    "gains": "Each of five gains.",
+}
+
+_POWERS = str.maketrans({"2": "²", "3": "³"})
+_SIGNS = {"above": ">", "least": "≥", "most": "≤"}
+_KINDS = {bool: "true, false", int: "whole number", str: "text"}
+
+
+class KeyLine(NamedTuple):
+    """A key of a table, for reading."""
+
+    key: str
+    allowed: str  # unit and range, words, or the tables that it takes
+    default: str
+    meaning: str
+
+
+class KeyTable(NamedTuple):
+    """A table that may be at a path, for reading."""
+
+    path: str
+    kind: str  # its ``type``, if it has one
+    meaning: str
+    keys: tuple[KeyLine, ...]
+
+
+def meanings(table: type[Settings]) -> dict[str, str]:
+    """Strings below the fields of a table, and of those that it inherits them from."""
+    told: dict[str, str] = {}
+    bases = [base for base in reversed(table.__mro__) if issubclass(base, Settings)]
+    for field, text in itertools.chain.from_iterable(map(_statements, bases)):
+        if not isinstance(field, ast.AnnAssign) or not isinstance(field.target, ast.Name):
+            continue
+        words = text.value if isinstance(text, ast.Expr) else None
+        if isinstance(words, ast.Constant) and isinstance(words.value, str):
+            told[field.target.id] = inspect.cleandoc(words.value)
+    return told
+
+
+def _statements(cls: type) -> Iterator[tuple[ast.stmt, ast.stmt]]:
+    """Every statement in the body of a class with the one that follows it."""
+    body = ast.parse(textwrap.dedent(inspect.getsource(cls))).body[0]
+    return itertools.pairwise(body.body if isinstance(body, ast.ClassDef) else [])
+
+
+def words_for(name: str, field: TableField) -> str:
+    """Meaning of a key without words of its own: the first sentence of its table, or the obvious.
+
+    Args:
+        name: Of its attribute.
+        field: As declared.
+    """
+    return _title(field.tables[0]) if len(field.tables) == 1 else PLAIN[name]
+
+
+def _title(table: type) -> str:
+    """First paragraph of what a table says of itself."""
+    return (inspect.getdoc(table) or "").split("\n\n")[0]
+
+
+def number_text(value: float) -> str:
+    """A number, briefly."""
+    return f"{value:.6g}"
+
+
+def unit_text(field: TableField) -> str:
+    """Unit, number and range of the numbers of a key; empty if it has none."""
+    if (unit := field.unit) is None:
+        return ""
+    bounds = {sign: getattr(unit, name) for name, sign in _SIGNS.items()}
+    limits = ", ".join(f"{s} {number_text(b)}" for s, b in bounds.items() if b is not None)
+    text = unit.unit.replace("^0.5", "^½").translate(_POWERS).replace("^", "")
+    kinds = {Triple: ", three", Quadruple: ", four", PerArm: ", or one for each arm"}
+    return (text or "plain") + kinds.get(field.shape, "") + (f"; {limits}" if limits else "")
+
+
+def plain_kind(field: TableField) -> str:
+    """Kind of a value that is neither a number with a unit nor a table; empty if unknown."""
+    kind, _ = field.entries[0]
+    return _KINDS.get(kind, "")
+
+
+def default_text(field: TableField) -> str:
+    """Value without input, angles in degrees, too; empty if it needs no words.
+
+    Args:
+        field: As declared.
+    """
+    value = field.default
+    if field.required or value is None or isinstance(value, Settings) or value in ((), "", {}):
+        return ""
+    if isinstance(value, bool):
+        return str(value).lower()
+    if isinstance(value, float):
+        turn = unit_text(field).startswith("rad") and value
+        return number_text(value) + (f" ({math.degrees(value):.4g}°)" if turn else "")
+    return _list_text(value)
+
+
+def _list_text(value: Any) -> str:
+    if isinstance(value, tuple):
+        return "[" + ", ".join(_list_text(part) for part in value) + "]"
+    return number_text(value) if isinstance(value, float) else str(value)
+
+
+def tables_below(table: type[Settings], path: str = "") -> list[tuple[str, list[type[Settings]]]]:
+    """Every table below some settings: its dotted path, and the types that it may have.
+
+    Args:
+        table: The settings.
+        path: Of these, before all others.
+    """
+    rows: list[tuple[str, list[type[Settings]]]] = []
+    for name, field in fields_of(table).items():
+        if not field.tables:
+            continue
+        here = f"{path}.{name}" if path else name
+        rows.append((here, field.tables))
+        for one in field.tables:
+            rows += [row for row in tables_below(one, here) if row not in rows]
+    return rows
+
+
+def _line(name: str, field: TableField, told: dict[str, str]) -> KeyLine:
+    names = ", ".join(dict.fromkeys(filter(None, map(_kind, field.tables)))) or "table"
+    allowed = (
+        ", ".join(field.words) or unit_text(field) or (names if field.tables else plain_kind(field))
+    )
+    default = "needed" if field.required else default_text(field)
+    words = " ".join((told.get(name) or words_for(name, field)).replace("`", "").split())
+    return KeyLine(field.key, allowed, default, words)
+
+
+def _kind(table: type[Settings]) -> str:
+    """The ``type`` of a table; empty if it has none."""
+    known = fields_of(table).get("type")
+    return known.words[0] if known is not None and len(known.words) == 1 else ""
+
+
+def key_tables(path: str = "") -> list[KeyTable]:
+    """The tables that may be at a path of a scenario, with their keys.
+
+    Args:
+        path: Dotted, without numbers of entries or with them; empty for the scenario itself.  Its
+            last part may be the ``type`` of one of several, as in ``world.obstacles.pole``.
+
+    Raises:
+        InputError: If a scenario has no table there, with the nearest that it has.
+    """
+    wanted = dotted_path(tuple(part for part in key_path(path) if isinstance(part, str)))
+    known: dict[str, list[type[Settings]]] = {"": [Scenario]}
+    for below, tables in tables_below(Scenario):
+        known.setdefault(below, []).extend(one for one in tables if one not in known[below])
+    holder, _, kind = wanted.rpartition(".")
+    if wanted not in known and kind in map(_kind, known.get(holder, ())):
+        wanted, known[holder] = holder, [one for one in known[holder] if _kind(one) == kind]
+    if wanted not in known:
+        near = nearest_name(wanted, [name for name in known if name])
+        hint = f"did you mean {near}?" if near else "springback show --keys lists them"
+        raise InputError(f"a scenario has no table {wanted!r}; {hint}")
+    return [
+        KeyTable(
+            wanted,
+            _kind(one),
+            " ".join(_title(one).replace("`", "").split()),
+            tuple(_line(name, field, meanings(one)) for name, field in fields_of(one).items()),
+        )
+        for one in known[wanted]
+    ]
+
+
+def table_paths() -> list[str]:
+    """Dotted paths of all tables of a scenario."""
+    return list(dict.fromkeys(path for path, _ in tables_below(Scenario)))
+
+
+def table_text(table: KeyTable) -> str:
+    """A table with its keys in lines."""
+    name = table.path or "a scenario"
+    title = f"{name}, type = {table.kind!r}" if table.kind else name
+    lines = [f"{title}: {table.meaning}"]
+    for one in table.keys:
+        says = one.default if one.default in ("", "needed") else f"default {one.default}"
+        middle = ", ".join(filter(None, (one.allowed, says)))
+        lines += [f"  {one.key}" + (f" ({middle})" if middle else "")]
+        lines += textwrap.wrap(one.meaning, 96, initial_indent="      ", subsequent_indent="      ")
+    return "\n".join(lines)
