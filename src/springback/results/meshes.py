@@ -22,6 +22,8 @@ Cells = np.ndarray[Any, np.dtype[np.intp]]
 SEARCHED = 1.2
 #: ... in cells that are halved this many times; chosen: the last are 4 cm wide.
 HALVINGS, FIRST_CELLS = 3, 8
+#: A surface is flat around a vertex within this [m] (chosen: the diagonal of such a cell).
+REACH = 0.07
 #: Decimal digits of a metre that a file stores (chosen).
 DIGITS = 5
 
@@ -45,6 +47,19 @@ class Mesh(NamedTuple):
             "triangles": self.triangles.tolist(),
             "normals": np.round(self.normals, DIGITS).tolist(),
         }
+
+    def distance(self, point: Array) -> float:
+        """Signed distance of a point near the surface [m], negative inside.
+
+        Args:
+            point: World [m].
+        """
+        if not len(self.vertices):
+            return float("inf")
+        away = point - self.vertices
+        nearest = int(np.argmin((away**2).sum(axis=1)))
+        far, along = np.linalg.norm(away[nearest]), away[nearest] @ self.normals[nearest]
+        return float(along if far < REACH else far)
 
 
 def surfaces_of(own: Sequence[Own], near: Array) -> tuple[Mesh, ...]:

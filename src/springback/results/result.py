@@ -96,7 +96,11 @@ class ObstacleContact(NamedTuple):
     @property
     def text(self) -> str:
         """In words."""
-        at = "" if self.place is None else f", at [{', '.join(f'{x:.2f}' for x in self.place)}] m"
+        at = (
+            ""
+            if self.place is None
+            else f", at [{', '.join(f'{round(x, 2) + 0.0:.2f}' for x in self.place)}] m"
+        )
         hardest = f"up to {self.force:.3g} N on {self.part}{at}, at {self.time:.3f} s"
         return f"{self.obstacle}: by {' and '.join(self.parts)}, {hardest}"
 
@@ -127,6 +131,8 @@ class FlightResult(FlightMeasures):
     """The user's own obstacles; empty for a flight that was read back."""
     own_surfaces: tuple[Mesh, ...] = ()
     """Surfaces of those obstacles for drawing, in a flight that was read back."""
+    own_contacts: dict[str, Array] = field(default_factory=dict)
+    """Their contacts in a flight that was read back: `springback.results.contacts.stored`."""
     second: FlightResult | None = None
     """Flight of the second vehicle, if the scenario has one: at the same instants."""
     is_second: bool = False

@@ -14,6 +14,7 @@ import numpy as np
 
 from springback.contact.grids.form_copies import FORMS, place_forms
 from springback.errors import InputError
+from springback.results.contacts.stored import CONTACTS, check_contacts
 from springback.results.database import in_database, parquet, pattern, sandbox
 from springback.results.flight import Flight
 from springback.results.meshes import read_surfaces
@@ -59,6 +60,8 @@ def load(folder: str | Path) -> Flight:
         place_forms(folder / FORMS)
     scenario = _scenario(scenario_path, summary)
     flight = _flight(folder, summary, scenario, summary["files"], "")
+    if CONTACTS in summary["files"]:
+        flight = replace(flight, own_contacts=_contacts(folder / CONTACTS, flight.columns))
     if scenario.second is None:
         return flight
     verdict: Any = summary.get("second")
@@ -80,7 +83,7 @@ def _check_files(folder: Path, files: Mapping[str, Any]) -> None:
     if path.name not in files:
         raise InputError(f"{path}: is missing; fly the scenario again to have a trajectory")
     tables = ("trajectory.parquet", "telemetry.parquet")
-    for name in (*tables, FORMS, *(SECOND + name for name in tables)):
+    for name in (*tables, CONTACTS, FORMS, *(SECOND + name for name in tables)):
         _check_file(folder / name, files)
 
 
@@ -118,6 +121,18 @@ def _flight(
     where = f"{folder / 'summary.json'}: own_obstacles"
     surfaces = read_surfaces(verdict.get("own_obstacles", ()), where)
     return Flight(scenario, outcome, measures, columns, units, telemetry, own_surfaces=surfaces)
+
+
+def _contacts(path: Path, trajectory: Mapping[str, Array]) -> dict[str, Array]:
+    """Contacts with obstacles of the user's own."""
+    columns, _ = _table(path)
+    check_contacts(path, columns, trajectory)
+    for name, values in columns.items():
+        if not (np.abs(values) < LARGEST).all():
+            raise InputError(
+                f"{path}: column {name}: must be finite numbers below {LARGEST:g} in magnitude"
+            )
+    return columns
 
 
 def _summary(path: Path) -> Mapping[str, Any]:

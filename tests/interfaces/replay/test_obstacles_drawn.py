@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -10,6 +11,7 @@ import numpy as np
 import pytest
 
 import springback
+from builders.cases import nonempty
 from builders.user_obstacles import Ball
 from springback.contact.obstacles import signed_distance
 from springback.contact.scene.solids import solid_face
@@ -20,6 +22,7 @@ from springback.interfaces.replay.scene import load, scene_of
 from springback.interfaces.reports.flight_files import write_flight
 from springback.kernels.routines import NumberTable
 from springback.kernels.vectors import Vec
+from springback.results.contacts.stored import CONTACTS, check_contacts
 from springback.results.flight import fly
 from springback.results.meshes import read_surfaces, surface_of
 from springback.scenario.scenario import expand_presets
@@ -162,7 +165,7 @@ def test_a_shape_of_ones_own_becomes_a_closed_mesh() -> None:
     assert volume == pytest.approx(4 / 3 * math.pi * 0.4**3, rel=0.02)
 
 
-def test_a_shape_of_ones_own_is_drawn_and_what_is_not_drawn_is_said(
+def test_a_shape_of_ones_own_is_drawn_with_its_contacts_and_an_older_result_says_what_is_missing(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
     """In plain Python: compiling for a test's own shape takes longer than flying."""
@@ -181,8 +184,20 @@ def test_a_shape_of_ones_own_is_drawn_and_what_is_not_drawn_is_said(
     known, saved = scene_of(flight), scene_of(load(tmp_path))
     assert known.notes == ()
     assert np.abs(known.force).max() > 10.0
-    # Its law is code of the user's, which no file keeps; its surface is drawn all the same.
-    assert "come from obstacles of your own" in saved.notes[0]
+    # Its law is code of the user's, which no file keeps; its surface and contacts are drawn.
+    assert saved.notes == ()
+    assert saved.part == known.part
+    np.testing.assert_allclose(saved.force, known.force, atol=1e-9)
+    np.testing.assert_allclose(saved.point, known.point, atol=1e-12)
+    whole = np.linalg.norm(saved.force.sum(axis=1), axis=1)
+    c = {name: values[np.isin(flight.t, saved.t)] for name, values in flight.columns.items()}
+    parts = [np.hypot(c[f"fn{j}"], c[f"ff{j}"]) for j in range(1, 5)]
+    assert whole == pytest.approx(np.sum(parts, axis=0), rel=1e-6, abs=1e-6)  # one cage at a time
+    stored = {one.name: one.values for one in saved.series if one.panel == "Energy"}
+    for one in nonempty([one for one in known.series if one.panel == "Energy"]):
+        np.testing.assert_allclose(stored[one.name], one.values, atol=1e-9)
+    old = scene_of(replace(load(tmp_path), own_contacts={}))
+    assert "come from obstacles of your own" in old.notes[0]
     for scene in (known, saved):
         [ball] = scene.obstacles
         assert (ball.kind, ball.name) == ("mesh", "Ball")
@@ -191,7 +206,36 @@ def test_a_shape_of_ones_own_is_drawn_and_what_is_not_drawn_is_said(
         assert away == pytest.approx(np.full(len(away), 0.2), abs=1e-4)
     assert len(saved.obstacles[0].triangles) > 50
     again = load(tmp_path).summary()  # what was read back says the same again
-    assert again["own_obstacles"] == flight.summary()["own_obstacles"]
+    first = flight.summary()
+    assert again["own_obstacles"] == first["own_obstacles"]
+    [one], [other] = first["obstacle_contacts"], again["obstacle_contacts"]
+    assert one["obstacle"] == other["obstacle"] == "own[0], a Ball"
+    assert other["place"] == pytest.approx(one["place"], abs=1e-9)
+    (tmp_path / "again").mkdir()
+    write_flight(load(tmp_path), tmp_path / "again", figures=False)
+    assert (tmp_path / "again" / CONTACTS).read_bytes() == (tmp_path / CONTACTS).read_bytes()
+
+
+@pytest.mark.parametrize(("change", "said"), [
+    ({"force9_1_x": 0.0}, "the vehicle has no such part"), ({"point2_1_x": None}, "has no column"),
+    ({"t": 0.00012345}, "must be the instants of trajectory"), ({}, ""),
+])  # fmt: skip
+def test_contacts_of_another_flight_are_refused_in_one_line(
+    change: dict[str, float | None], said: str
+) -> None:
+    each = [f"{kind}{j}_1_{axis}" for kind in ("force", "point") for j in "12" for axis in "xyz"]
+    table = dict.fromkeys(["t", "energy_contact", *each], np.zeros(1))
+    for name, value in change.items():
+        table[name] = np.array([value], dtype=float)
+        if value is None:
+            del table[name]
+    trajectory = {"t": np.array([0.0, 1.0]), "fn1": np.zeros(2), "fn2": np.array([2.0, 0.0])}
+    trajectory |= {"ff1": np.zeros(2), "ff2": np.zeros(2)}
+    if not said:
+        check_contacts(Path("c.parquet"), table, trajectory)
+        return
+    with pytest.raises(InputError, match=rf"^c\.parquet: .*{said}"):
+        check_contacts(Path("c.parquet"), table, trajectory)
 
 
 @pytest.mark.parametrize("torn", [3, [{}], [{"name": "x", "vertices": [[0, 0, 0]], "normals": [[0, 0, 1]],

@@ -35,9 +35,11 @@ from springback.interfaces.replay.hull_meshes import HullMesh, hull_meshes, mesh
 from springback.interfaces.replay.instants import departure, drawn_instants
 from springback.interfaces.replay.tracks import BodyTrack, body_tracks
 from springback.results.contacts.spans import parts_of
+from springback.results.contacts.stored import stored_loads
 from springback.results.events import Event, impacts_of
 from springback.results.flight import Flight
 from springback.results.pair.contacts import loads_on_first, loads_on_second
+from springback.results.result import NAMED
 from springback.results.saved import load as load
 from springback.scenario.tables import UserShape
 from springback.scenario.worlds.imported import single_obstacles
@@ -154,6 +156,8 @@ class Scene:
     """Time of the first touch of any vehicle in its world [s]; None: that of its first impact."""
     world: int = 0
     """Number of its world: scenes of one world are drawn in one place."""
+    touched: tuple[str, ...] = ()
+    """What it touched, a line each."""
     neighbours: tuple[NeighbourShape, ...] = ()
     """Springs between arms."""
     bends: Array = field(default_factory=lambda: np.zeros((0, 0)))
@@ -180,6 +184,8 @@ def scene_of(flight: Flight, *, label: str = "", own: Sequence[Own] = ()) -> Sce
         loads = load_history(model, flight.columns, places)
     else:
         loads = loads_on_first(flight.scenario, flight.columns, flight.second.columns, places)
+    if flight.own_contacts and not own:
+        loads = stored_loads(flight, loads, places)
     return _scene(flight, model, loads, places, label, own or flight.own)
 
 
@@ -240,7 +246,8 @@ def _scene(
         measures=dict(flight.measures),
         units={name: named[name] for name in flight.measures if name in named},
         departure=departure(c, count, places),
-        notes=things.notes + _doubts(flight, loads, places),
+        notes=things.notes + (() if flight.own_contacts else _doubts(flight, loads, places)),
+        touched=_touched(flight),
         neighbours=neighbour_shapes(model.airframe),
         bends=_bends(c, count, places),
     )
@@ -306,6 +313,13 @@ def _time_line(flight: Flight) -> tuple[Event, ...]:
         for event in flight.events
         if event.kind not in _OF_PARTS
     )
+
+
+def _touched(flight: Flight) -> tuple[str, ...]:
+    """Touched obstacles with their hardest contacts, in words."""
+    met = flight.obstacle_contacts
+    more = (f"and {len(met) - NAMED} more",) if len(met) > NAMED else ()
+    return (*(one.text for one in met[:NAMED]), *more)
 
 
 def _thrust(flight: Flight, model: Model, t: Array) -> Array:
@@ -376,8 +390,9 @@ def _doubts(flight: Flight, loads: LoadHistory, places: Any) -> tuple[str, ...]:
     if off <= AGREES * peak:
         return ()
     return (
-        f"some contact forces, up to {off:.3g} N, come from obstacles of your own, whose contact "
-        "laws are not stored in the file, and are not drawn as arrows",
+        f"some contact forces, up to {off:.3g} N, come from obstacles of your own, which this "
+        "older result does not hold: they are missing in the sum, and not drawn as arrows; fly it "
+        "again",
     )
 
 

@@ -9,6 +9,7 @@ from springback.contact.grids.form_copies import FORMS, write_forms
 from springback.files import write_json
 from springback.interfaces.output.folders import SUMMARY, output_folder
 from springback.interfaces.output.python_wording import python_words
+from springback.results.contacts.stored import CONTACTS, contact_columns
 from springback.results.flight import Flight
 from springback.results.parquet import write_parquet
 from springback.results.saved import SECOND
@@ -23,7 +24,14 @@ _NAMES = (
 #: Files of a replay against a recording.
 AGAINST_FILES = ("against.json", "against.csv", "against.png", "against_curves.csv")
 #: Files of a flight, which are removed when another one replaces it.
-FLIGHT_FILES = (SUMMARY, FORMS, *_NAMES, *(SECOND + name for name in _NAMES), *AGAINST_FILES)
+FLIGHT_FILES = (
+    SUMMARY,
+    FORMS,
+    CONTACTS,
+    *_NAMES,
+    *(SECOND + name for name in _NAMES),
+    *AGAINST_FILES,
+)
 
 
 def save_flight(
@@ -42,6 +50,8 @@ def save_flight(
 def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[Path]:
     """Write ``summary.json``, ``trajectory.parquet``, ``telemetry.parquet`` if any, and figures.
 
+    With obstacles of the user's own ``contacts.parquet`` has the force and place of each contact.
+
     Figures are ``flight.png`` and ``energy.png``; with a pilot ``flight.png`` shows the whole
     flight with its reference, and ``impact.png`` the collision if there was one.  The numbers of
     each are in a CSV file of the same name.  The summary lists all files with their digests
@@ -58,6 +68,10 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
     """
     summary = flight.summary()
     written = _write_vehicle(flight, folder, "", figures)
+    columns, units = contact_columns(flight)
+    if columns:
+        write_parquet(folder / CONTACTS, columns, units, _about(flight))
+        written.append(folder / CONTACTS)
     if flight.second is not None:
         written += _write_vehicle(flight.second, folder, SECOND, figures)
     world = flight.scenario.world
@@ -68,14 +82,18 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
     return [folder / SUMMARY, *written]
 
 
-def _write_vehicle(flight: Flight, folder: Path, prefix: str, figures: bool) -> list[Path]:
-    """Write trajectory, telemetry and figures of one vehicle; returns the files."""
-    written = []
-    about = {
+def _about(flight: Flight) -> dict[str, str]:
+    """Metadata of the tables of a flight."""
+    return {
         "springback": __version__,
         "name": flight.scenario.name,
         "frames": "world NWU, body FLU",
     }
+
+
+def _write_vehicle(flight: Flight, folder: Path, prefix: str, figures: bool) -> list[Path]:
+    """Write trajectory, telemetry and figures of one vehicle; returns the files."""
+    written, about = [], _about(flight)
     for stem, columns in {"trajectory": flight.columns, "telemetry": flight.telemetry}.items():
         if columns:
             path = folder / f"{prefix}{stem}.parquet"

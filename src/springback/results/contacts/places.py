@@ -26,7 +26,8 @@ from springback.kernels.routines import number_at, routines_compiled
 from springback.kernels.trees import rebuilt
 from springback.kernels.vectors import Vec
 from springback.results.contacts.history import model_of
-from springback.results.contacts.spans import ContactSpan, contact_spans
+from springback.results.contacts.spans import ContactSpan, contact_spans, parts_of
+from springback.results.contacts.stored import stored_point
 from springback.results.pair.contacts import pair_view
 from springback.results.result import FlightResult, ObstacleContact
 from springback.scenario.tables import UserShape
@@ -43,11 +44,20 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 MOST = 300
 
 
+#: Word for an obstacle of that type.
+GROUND = "the ground"
+
+
 class ContactPlace(NamedTuple):
     """What a part touches at an instant."""
 
     obstacle: str  # such as "world.obstacles[0], a pole"
     point: tuple[float, float, float] | None  # world [m]; None: another vehicle, known by its force
+
+    @property
+    def is_ground(self) -> bool:
+        """True for a ground of the scenario."""
+        return self.obstacle.endswith(f", {GROUND}")
 
 
 class _Names(NamedTuple):
@@ -62,13 +72,13 @@ class _Names(NamedTuple):
 
 def _kind(word: str) -> str:
     article = "an" if word[0].lower() in "aeiou" else "a"
-    return "the ground" if word == "ground" else f"{article} {word}"
+    return GROUND if word == "ground" else f"{article} {word}"
 
 
 def _names_of(flight: FlightResult) -> _Names:
     world, own = flight.scenario.world, flight.own
-    stems = [name.removesuffix(".shape") for name in own_names(world, own)]
-    kinds = [type(shape).__name__ for shape, _ in own]
+    kinds = [type(shape).__name__ for shape, _ in own] or [one.name for one in flight.own_surfaces]
+    stems = [name.removesuffix(".shape") for name in own_names(world, kinds)]
     of_own = [f"{stem}, {_kind(kind)}" for stem, kind in zip(stems, kinds, strict=True)]
     other = "the first vehicle" if flight.is_second else "the second vehicle"
     found = _Names([], [], {}, of_own, other)
@@ -160,6 +170,21 @@ def _place_at(given: _Evaluation, row: int, part: int) -> ContactPlace | None:
         return ContactPlace(min(near).name, (x, y, z))
 
 
+def _stored_place(given: _Evaluation, flight: FlightResult, one: ContactSpan) -> ContactPlace:
+    """What a part touched by the stored contacts of a flight that was read back."""
+    part, model = parts_of(flight.columns)[one.part], given.model
+    point = stored_point(flight, part, one.hardest_time)
+    state = rebuilt(
+        model_state(model), states_at(model, given.columns, np.array([one.hardest]))[0].tolist()
+    )
+    with routines_compiled():
+        at_rest = given.names._replace(own=[])
+        near = [*_all_near(model.world.obstacles, state.bodies, Vec(*point), at_rest)]
+    surfaces = zip(flight.own_surfaces, given.names.own, strict=True)
+    near += [_Near(one.distance(np.array(point)), name) for one, name in surfaces]
+    return ContactPlace(min(near).name, point)
+
+
 def contact_places(flight: FlightResult, spans: Sequence[ContactSpan]) -> list[ContactPlace | None]:
     """What is touched in some contacts, and where, when each is pressed hardest.
 
@@ -168,13 +193,20 @@ def contact_places(flight: FlightResult, spans: Sequence[ContactSpan]) -> list[C
         spans: Its contacts.
 
     Returns:
-        For each; None beyond `MOST`, and for all of them if obstacles of the user's own are unknown
-        because the flight was read from a folder.
+        For each; None beyond `MOST`, and for all of them if the flight met obstacles of the user's
+        own and was read from a folder of an earlier version, which lacks its contacts.
     """
-    if not spans or (flight.own_surfaces and not flight.own):
+    is_read = bool(flight.own_surfaces) and not flight.own
+    if not spans or (is_read and not flight.own_contacts):
         return [None] * len(spans)
-    given = _evaluation(flight)
-    found = [_place_at(given, one.hardest, one.part) for one in spans[:MOST]]
+    found: list[ContactPlace | None]
+    if is_read:
+        model = flight.scenario.flight_model(())
+        given = _Evaluation(model, flight.columns, _names_of(flight), False)
+        found = [_stored_place(given, flight, one) for one in spans[:MOST]]
+    else:
+        given = _evaluation(flight)
+        found = [_place_at(given, one.hardest, one.part) for one in spans[:MOST]]
     return found + [None] * (len(spans) - len(found))
 
 

@@ -103,12 +103,12 @@ class _RayHit(NamedTuple):
     before: tuple[Vec, ...]  # points on the way there
 
 
-def own_names(world: WorldSettings, own: Sequence[Own]) -> list[str]:
+def own_names(world: WorldSettings, own: Sequence[object]) -> list[str]:
     """Names of the user's own obstacles, for errors: those of the world first, by their key.
 
     Args:
         world: Of the scenario.
-        own: Its own obstacles, and further ones.
+        own: Its own obstacles, and further ones, or their names: they are counted.
     """
     keys = [
         f"world.obstacles[{k}].shape"
