@@ -23,6 +23,7 @@ from builders.paper_results import LASTS, TOUCH, fake_slider_flight, fake_slider
 from springback.errors import InputError
 from springback.interfaces.figures import flight as plots
 from springback.interfaces.figures import style
+from springback.interfaces.figures.chart import add_share_bar, draw_shares
 from springback.interfaces.reproduction.figures import slider
 from springback.paper.printed import TABLE_III
 from springback.paper.slider import (
@@ -57,7 +58,7 @@ def test_a_flight_is_shown_around_its_contact() -> None:
     figure = plots.flight_figure(fake_slider_flight(stroke=0.01))
     axes = panels(figure)
     assert list(axes) == [
-        "Position [mm]", "Velocity [m/s]", "Acceleration [m/s²]", "Arm length [mm]", "Contact force [N]",
+        "Position [mm]", "Velocity [m/s]", "Acceleration [m/s²]", "Arm length [mm]", "Normal force [N]",
     ]  # fmt: skip
     assert figure.axes[-1].get_xlabel() == "Time from first touch [ms]"
     low, high = figure.axes[-1].get_xlim()
@@ -73,7 +74,26 @@ def test_arms_that_do_the_same_share_a_curve() -> None:
     axes = panels(plots.flight_figure(fake_slider_flight(stroke=0.01)))
     names = [line.get_label() for line in axes["Arm length [mm]"].lines]
     assert names == ["arm 1, 2", "arm 3, 4"]
-    assert [line.get_label() for line in axes["Contact force [N]"].lines] == ["arm 1, 2"]
+    assert [line.get_label() for line in axes["Normal force [N]"].lines] == ["arm 1, 2"]
+
+
+def test_an_arm_that_hardly_gives_is_flat_and_its_ticks_are_lengths() -> None:
+    """Of 0.2 µm there was a panel of "+1.899e2"; 50 µm are worth one, in whole numbers of mm."""
+    for stroke, least in ((2e-7, 1.0), (5e-5, 0.05)):
+        figure = plots.flight_figure(fake_slider_flight(stroke=stroke))
+        ax = panels(figure)["Arm length [mm]"]
+        low, high = ax.get_ylim()
+        assert high - low >= least
+        assert not ax.yaxis.get_offset_text().get_text()
+        assert {len(label.get_text()) <= 7 for label in ax.get_yticklabels()} == {True}
+
+
+def test_the_bar_of_shares_says_that_it_is_not_linear() -> None:
+    figure = style.StyledFigure()
+    ax = figure.subplots()
+    mesh = draw_shares(ax, [0.0, 1.0, 2.0], [0.0, 1.0], [[0.2, 1.0]])
+    bar = add_share_bar(figure, mesh, ax, "Success rate [-]")
+    assert bar.get_ylabel() == "Success rate [-], colours finer above 0.8"
 
 
 def test_a_flight_without_contact_arms_or_motion_is_shown_too() -> None:

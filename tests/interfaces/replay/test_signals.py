@@ -78,7 +78,7 @@ def test_units_and_groups_say_what_a_column_is(recovery: Flight, scene: Scene) -
     }
     assert (heads["est_vx"]["unit"], heads["est_vx"]["group"]) == ("m/s", "Estimate")
     assert (heads["ax"]["unit"], heads["ax"]["group"]) == ("m/s²", "Acceleration")
-    assert heads["fn_body"]["group"] == "Contact force, normal"
+    assert heads["fn_body"]["group"] == "Normal force"
     assert heads["pitch"]["unit"] == heads["est_yaw"]["unit"] == "deg"
     for name in ("l1", "hall1"):  # as the compression
         assert (heads[name]["unit"], heads[name]["factor"]) == ("mm", 1e3)

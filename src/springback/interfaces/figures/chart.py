@@ -30,8 +30,9 @@ Columns = Mapping[str, Any]
 
 #: From failure to success, dark to light, so that the order is visible in black and white.
 SCALE = LinearSegmentedColormap.from_list("success", ["#3B1F4F", "#33638D", "#6FB7C4", "#F4F7E8"])
-#: Shares, and their places on that scale: half of it shows those from 0.8 (chosen).
-SHARES, PLACES = (0.0, 0.5, 0.8, 0.9, 1.0), (0.0, 0.25, 0.5, 0.7, 1.0)
+#: Shares, and their places on that scale: half of it shows those from `FINER` (chosen).
+FINER = 0.8
+SHARES, PLACES = (0.0, 0.5, FINER, 0.9, 1.0), (0.0, 0.25, 0.5, 0.7, 1.0)
 SHARE_TICKS = (0.0, 0.25, 0.5, 0.8, 0.9, 0.95, 1.0)
 #: Largest place whose colour is dark enough for white letters.
 DARK = 0.47
@@ -68,9 +69,9 @@ def draw_shares(ax: Axes, x: Any, y: Any, shares: Any) -> Any:
 
 
 def add_share_bar(figure: Figure, mesh: Any, axes: Any, label: str, **look: Any) -> Axes:
-    """Add the colour bar of `draw_shares` beside axes; returns its axes."""
+    """Add the colour bar of `draw_shares` beside axes; its label says that it is not linear."""
     bar = figure.colorbar(mesh, ax=axes, pad=0.02, ticks=SHARE_TICKS, **look)
-    bar.set_label(label)
+    bar.set_label(f"{label}, colours finer above {FINER:g}")
     bar.ax.grid(visible=False)
     return bar.ax
 

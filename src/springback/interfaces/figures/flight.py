@@ -15,6 +15,7 @@ from springback.errors import InputError
 from springback.interfaces.figures.chart import HIGH, LOW, Chart
 from springback.interfaces.figures.guided import guided_panels
 from springback.interfaces.figures.panels import (
+    ROUNDING,
     Array,
     Curve,
     Panel,
@@ -28,6 +29,9 @@ from springback.interfaces.figures.panels import (
 from springback.interfaces.figures.style import WIDTH, StyledFigure, in_style
 from springback.interfaces.output.robots import BLUE, GREEN, GREY, INK, ORANGE, PINK, RED, SKY
 from springback.results.flight import Flight
+
+#: An arm that gives less than this is drawn as a flat line [mm] (chosen: the width of that line).
+STIFF = 0.02
 
 
 @in_style
@@ -53,7 +57,7 @@ def flight_figure(flight: Flight) -> Figure:
 
 @in_style
 def impact_figure(flight: Flight) -> Figure:
-    """Main body, arms and contact forces over time, contacts shaded.
+    """Main body, arms, normal forces and friction over time, contacts shaded.
 
     A flight with contacts is shown around them (with a pilot around the first impact), with time
     and position relative to the first touch; a flight without contacts is shown completely.  Arm
@@ -71,10 +75,9 @@ def _motion(flight: Flight) -> Figure:
     first = {} if touch is None else {a: np.interp(touch, c["t"], c[a]) for a in "xyz"}
     size, unit = (1.0, "m") if touch is None else (1e3, "mm")
 
-    def panel(label: str, curves: list[tuple[str, Array]]) -> Panel:
-        return Panel(
-            label, [Curve(name, t(c["t"][inside]), values[inside]) for name, values in curves]
-        )
+    def panel(label: str, curves: list[tuple[str, Array]], flat: float = ROUNDING) -> Panel:
+        shown = [Curve(name, t(c["t"][inside]), values[inside]) for name, values in curves]
+        return Panel(label, shown, flat=flat)
 
     panels = [
         panel(
@@ -87,13 +90,13 @@ def _motion(flight: Flight) -> Figure:
     arms = arms_of(c)
     if any(np.ptp(c[f"l{j}"]) > 1e-9 for j in arms):
         lengths = alike("arm", [(j, 1e3 * c[f"l{j}"]) for j in arms])
-        panels.append(panel("Arm length [mm]", lengths))
+        panels.append(panel("Arm length [mm]", lengths, STIFF))
     if "bend1" in c:
         bends = alike("arm", [(j, 1e3 * c[f"bend{j}"]) for j in arms])
-        panels.append(panel("Arm bend, second joint [mm]", bends))
+        panels.append(panel("Arm bend, second joint [mm]", bends, STIFF))
     panels += [
         panel(f"{what} [N]", curves)
-        for what, curves in (("Contact force", _forces(c, "fn")), ("Friction", _forces(c, "ff")))
+        for what, curves in (("Normal force", _forces(c, "fn")), ("Friction", _forces(c, "ff")))
         if curves
     ]
     shades = [(t(start), t(end)) for start, end in contacts(c)]

@@ -37,7 +37,7 @@ def tilt(columns: dict[str, Array], prefix: str = "q") -> Array:
 
 
 def guided_panels(flight: Flight) -> list[Panel]:
-    """Panels: position, velocity, attitude, tilt, thrusts, arms, contact forces, estimation error.
+    """Panels: position, velocity, attitude, tilt, thrusts, arms, normal forces, estimation error.
 
     Panels without data in the telemetry (reference, attitude set-point, estimate) are left out.
     """
@@ -100,7 +100,7 @@ def _impacts(flight: Flight) -> list[Panel]:
     forces = alike("arm", [(j, c[f"fn{j}"]) for j in touched]) + body_curves(c, {"fn": "body"})
     if not forces:
         return []
-    return [Panel("Contact [N]", [Curve(name, c["t"], values) for name, values in forces])]
+    return [Panel("Normal force [N]", [Curve(name, c["t"], values) for name, values in forces])]
 
 
 def _estimate(flight: Flight) -> list[Panel]:
