@@ -9,6 +9,10 @@ const PACES = [1, 2, 5, 10, 20, 50, 100, 200];
 /** Start this long before the first touch [s]. */
 const LEAD = 0.25;
 
+/** Row of the compression among the numbers. */
+const COMPRESSION = 2;
+const isRigid = (flight) => !flight.arms.some((arm) => arm.compliant);
+
 const paceName = (pace) => {
   if (pace > 0.995) return "real time";
   const slower = 1 / pace;
@@ -177,7 +181,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, action
     const body = create("tbody");
     cells = rows.map((name, k) => {
       const values = state.flights.map(() => create("td"));
-      const unit = create("td", { class: "unit" }, units[k]);
+      const unit = create("td", { class: "unit" }, k === COMPRESSION && state.flights.every(isRigid) ? "" : units[k]);
       body.append(create("tr", {}, create("th", { scope: "row" }, crowded ? `${name} [${units[k]}]` : name), ...values, ...(crowded ? [] : [unit])));
       return values;
     });
@@ -193,8 +197,7 @@ export function createPlayer({ scene, plots = null, bar, readouts = null, action
       const pressed = Math.max(0, ...flight.arms.map((arm, j) => (arm.compliant ? 1e3 * given(arm, pose.armLengths[j], pose.bends[j]) : 0)));
       const force = Math.hypot(...[0, 1, 2].map((c) => pose.contacts.reduce((sum, one) => sum + (one ? one.force[c] : 0), 0)));
       const numbers = [value("Velocity"), value("Acceleration"), pressed, force, pose.thrust.reduce((a, b) => a + b, 0)];
-      const rigid = !flight.arms.some((arm) => arm.compliant);
-      numbers.forEach((number, row) => (cells[row][k].textContent = row === 2 && rigid ? "rigid" : format(number)));
+      numbers.forEach((number, row) => (cells[row][k].textContent = row === COMPRESSION && isRigid(flight) ? "rigid" : format(number)));
     });
   }
 

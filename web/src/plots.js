@@ -12,6 +12,9 @@ const HEIGHT = 112;
 const SPACE = 18;
 /** Least width of the numbers beside a plot [px]. */
 const AXIS = 54;
+/** Curves that vary by less than this share of their size are flat, and are shown with this share above and below. */
+const FLAT = 1e-5;
+const FLAT_ROOM = 0.1;
 /** Zooms that can be undone. */
 const MOST_ZOOMS = 100;
 /** Shortest and longest time that a plot can show [s]. */
@@ -118,7 +121,7 @@ export function createPlots(element, { onSeek = () => {}, onZoom = () => {}, onE
       cursor: { x: false, y: false, points: { show: false }, drag: { x: true, y: true, uni: LEAST_DRAG, setScale: false }, bind: { dblclick: () => () => zoom() } },
       axes: [
         { ...axis, size: 22, gap: 2, space: 56, values: (_, ticks) => ticks.map((t) => seconds(t, ticks)) },
-        { ...axis, size: (_, ticks) => Math.max(AXIS, 7 * Math.max(0, ...(ticks ?? []).map((text) => text.length)) + 8), gap: 4, space: words ? 13 : SPACE, ...(words ? { values: words } : {}) },
+        { ...axis, size: (_, ticks) => Math.max(AXIS, 7 * Math.max(0, ...(ticks ?? []).map((text) => text.length)) + 8), gap: 4, space: words ? 13 : SPACE, values: words || ((_, ticks) => decimals(ticks)) },
       ],
       series: [{}, ...ordered.map((curve) => ({ stroke: curve.colour, width: 1.7, dash: curve.dash, spanGaps: true, points: { show: false }, ...(curve.held ? { paths: stepped } : {}) }))],
       hooks: {
@@ -306,8 +309,22 @@ function merged(stretches) {
 
 function roomy(low, high) {
   if (low == null || high == null) return [0, 1];
+  const size = Math.max(Math.abs(low), Math.abs(high));
+  if (size === 0) return [-0.1, 1];
+  if (high - low < FLAT * size) [low, high] = [low - FLAT_ROOM * size, high + FLAT_ROOM * size];
   const span = Math.max(high - low, 1e-3 * Math.max(Math.abs(low), Math.abs(high)), 1e-6);
   return [low - 0.06 * span, high + 0.08 * span];
+}
+
+/** Ticks of values, with as many decimals as tell each from the next. */
+function decimals(ticks) {
+  const step = ticks.length > 1 ? Math.abs(ticks[1] - ticks[0]) : Math.abs(ticks[0]);
+  const power = Math.floor(Math.log10(step || 1) + 1e-9);
+  const most = Math.max(...ticks.map(Math.abs));
+  if (power < -6 || most >= 1e6) return ticks.map((x) => (x === 0 ? "0" : x.toExponential(2)));
+  let digits = Math.max(0, -power);
+  if (Math.abs(step * 10 ** digits - Math.round(step * 10 ** digits)) > 1e-6) digits++;
+  return ticks.map((x) => x.toFixed(digits).replace(/^-(0(\.0*)?)$/, "$1"));
 }
 
 /** Ticks of time, with as many digits as they need. */

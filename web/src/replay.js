@@ -142,7 +142,7 @@ export function startReplay(element, data) {
     create("header", { class: "top" }, create("div", { class: many ? "flights several" : "flights" }, create("h1", {}, title), ...legend.map((one) => one.element)),
       create("div", { class: "views" }, cameras, ...(worlds > 1 ? [compare] : []), ...(bends ? [arms] : []), layered)),
     create("main", {}, left, create("aside", {}, readouts,
-      create("div", { class: "plot-head" }, create("h2", {}, "Over time"), zooms, undo, adding), plotBox, aboutOf(flights))),
+      create("div", { class: "plot-head" }, create("h2", {}, "Over time"), zooms, undo, adding), plotBox, ...touchedBy(flights), aboutOf(flights))),
     chooser.element, keysBox,
   );
   stage.append(remark);
@@ -235,6 +235,12 @@ function legendEntry(flight, onToggle) {
     entry.element.classList.toggle("away", !on);
   };
   return entry;
+}
+
+/** What each flight touched, if anything. */
+function touchedBy(flights) {
+  const lines = flights.flatMap((flight) => flight.touched.map((text) => create("p", {}, flights.length > 1 ? `${flight.label}: ${text}` : text)));
+  return lines.length ? [create("details", { class: "about touched", open: flights.length === 1 }, create("summary", {}, "Touched obstacles"), ...lines)] : [];
 }
 
 function aboutOf(flights) {

@@ -324,8 +324,10 @@ export function createScene(element, { flights = [], compare = "side", align = t
     const kinds = new Set(state.flights.flatMap((f) => f.obstacles.map((o) => (o.kind === "mesh" ? o.name : o.kind))));
     if (comparison() !== state.compare) entry("words", "overlaid: the obstacles are too wide to be put side by side");
     if (state.magnified !== 1) entry("travel", `arm travel × ${state.magnified}, not to scale`);
-    if (kinds.has("mat")) entry("mat", "mat");
-    [...kinds].filter((kind) => !["wall", "mat", "ground"].includes(kind)).forEach((name) => entry("own", name));
+    for (const kind of kinds) {
+      entry("obstacle", kind);
+      legend.lastChild.style.setProperty("--colour", colours[kind === "mat" || kind === "ground" ? kind : "wall"]);
+    }
   }
 
   function placeLabels(width, height) {

@@ -252,6 +252,24 @@ def test_sum_and_parts_of_contact_forces_go_by_different_names(driver: Any, page
     assert f"{whole:.0f}" in cells
 
 
+def test_flat_curves_have_ticks_that_differ_and_what_is_rigid_has_no_unit(
+    driver: Any, flights: list[Flight], tmp_path: Path
+) -> None:
+    """A constant thrust had the ticks 3.443 and 3.443, a rigid robot a compression of rigid mm."""
+    path = tmp_path / "quad.html"
+    export_page(replay_of(flights[1:]), path)
+    opened(driver, path, "#plots=Thrust")
+    [plot] = driver.execute_script("return window.springback.plots.shown()")
+    assert len(set(plot["ticks"])) == len(plot["ticks"]) >= 2
+    assert plot["limits"][0] < 0.95 * float(plot["values"]["rotor 1, 2, 3, 4"])
+    rows = driver.find_elements("css selector", ".readouts tbody tr")
+    assert [row.text for row in rows if row.text.startswith("compression")] == [
+        "compression, largest rigid"
+    ]
+    touched = driver.find_element("css selector", ".touched p").text
+    assert touched.startswith("world.obstacles[0], a wall: by cage")
+
+
 BODIES = [
     {"type": "window", "position": [2.75, 0.0, 1.0], "size": [1.2, 1.0], "opening": [0.7, 0.4]},
     {"type": "pole", "position": [2.7, 0.4, 0.0], "radius": 0.05},
@@ -271,8 +289,7 @@ def test_built_in_bodies_are_seen_and_an_opening_is_open(driver: Any, tmp_path: 
     resized(driver, 1440, 900)
     opened(driver, path, "#t=0&camera=front")
     legend = driver.find_element("css selector", ".scene-legend").text.split("\n")
-    assert {"window", "pole", "slope"} <= set(legend)
-    assert "ground" not in legend
+    assert {"window", "pole", "slope", "ground"} <= set(legend)
     differences = """
         const S = window.springback.scene, canvas = document.createElement("canvas");
         const shot = () => {
