@@ -76,7 +76,7 @@ def quantity_text(value: float | None) -> str:
 
 
 def interval_text(found: IntervalEstimate, factor: float = 1.0) -> str:
-    """Bounds of an interval, such as ``8.8 to 9.7``; a question mark where there is none.
+    """Bounds of an interval, such as ``8.8 to 9.7``; a dash if too few values give it none.
 
     Args:
         found: The interval, in SI.
@@ -84,7 +84,11 @@ def interval_text(found: IntervalEstimate, factor: float = 1.0) -> str:
     """
     places = _places(found, factor)
     bounds = (None if bound is None else bound * factor for bound in found[1:])
-    return " to ".join("?" if bound is None else number_text(bound, places) for bound in bounds)
+    low, high = (None if bound is None else number_text(bound, places) for bound in bounds)
+    if low is None or high is None:
+        known = f"from {low}" if low else f"up to {high}" if high else ""
+        return known or "-"
+    return f"{low} to {high}"
 
 
 def estimate_text(found: IntervalEstimate, factor: float = 1.0) -> str:
