@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -84,14 +85,44 @@ def test_what_moves_is_told_where_it_is_then() -> None:
     assert RADIUS - DEEPEST < from_axis < RADIUS
 
 
-def test_own_shapes_are_told_by_their_type_and_not_from_a_folder(tmp_path: Path) -> None:
+def test_own_shapes_are_told_by_their_type_and_from_a_folder_too(tmp_path: Path) -> None:
     own = [(Plane(Vec(-1.0, 0.0, 0.0), -0.6), SurfaceSettings(law="hertz"))]
     given = thrown(pole(0.0, 1.0), duration=0.1)
     given["start"] = {"position": [0.2, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0]}
     flight = springback.fly(given, own=own)
     assert only(flight).obstacle == "own[0], a Plane"
     flight.save(tmp_path / "results", figures=False)
-    assert springback.load(tmp_path / "results").obstacle_contacts == ()
+    read = springback.load(tmp_path / "results")
+    found, again = only(flight), only(read)
+    assert again._replace(place=None) == found._replace(place=None)
+    assert again.place == pytest.approx(found.place, abs=1e-9)
+    assert [event.text for event in read.events] == [event.text for event in flight.events]
+    assert replace(read, own_contacts={}).obstacle_contacts == ()  # of an earlier version
+
+
+def test_own_shapes_and_others_are_told_apart_in_a_folder(tmp_path: Path) -> None:
+    """It bounces from a pole, and back from a plane of the user's own."""
+    own = [(Plane(Vec(1.0, 0.0, 0.0), -0.1), SurfaceSettings(law="hertz"))]
+    given = thrown(pole(0.6, 0.0), duration=1.3)
+    given["start"] = {"position": [0.2, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0]}
+    flight = springback.fly(given, own=own)
+    names = [one.obstacle for one in flight.obstacle_contacts]
+    assert names == ["world.obstacles[0], a pole", "own[0], a Plane"]
+    flight.save(tmp_path / "results", figures=False)
+    read = springback.load(tmp_path / "results")
+    assert [one.obstacle for one in read.obstacle_contacts] == names
+
+
+def test_what_touches_the_ground_is_named() -> None:
+    """A sphere that has no cages of its own was said to touch with one."""
+    ground = {"type": "ground", "surface": "wall"}
+    cases = ("caged-sphere", 0.0, "the main body touches"), ("arq", 0.9, "cage 2 and cage 3 touch")
+    for vehicle, roll, parts in cases:
+        falling = {"position": [0.0, 0.0, 0.5], "velocity": [0.0, 0.0, -1.0], "roll": roll}
+        given = thrown(ground, duration=0.6, **falling)
+        flight = springback.fly(given | {"vehicle": vehicle})
+        [event] = [event for event in flight.events if event.kind == "ground"]
+        assert event.text == f"{parts} the ground"
 
 
 def test_two_vehicles_name_each_other(tmp_path: Path) -> None:

@@ -39,6 +39,10 @@ _TRIGGERS = {"hall": "an arm is compressed", "acceleration": "lateral accelerati
 MOST = 12
 
 
+#: A step lands on the touch of the ground, one more may pass until there is a force [s] (chosen).
+NEAR = 2e-3
+
+
 class Event(NamedTuple):
     """An event of a flight.
 
@@ -85,7 +89,7 @@ def events_of(flight: FlightResult) -> tuple[Event, ...]:
     t = flight.columns["t"]
     touches = sorted(contact_spans(flight), key=lambda one: one.begin)
     met = list(zip(touches, contact_places(flight, touches), strict=True))
-    found = [*_contacts(flight, met), *_failures(flight), *_phases(flight), *_settling(flight)]
+    found = [*_contacts(flight, met), *_failures(flight, met), *_phases(flight), *_settling(flight)]
     found += [*_reports(flight), *_parts(flight, met), *_overloads(flight)]
     found.append(Event(float(t[-1]), "end", "end", flight.message))
     return tuple(sorted(found, key=lambda event: event.t))
@@ -175,17 +179,29 @@ def _arm_moves(c: Mapping[str, Array], j: int) -> Iterator[tuple[Any, Any]]:
         yield BentCoordinates(length, bend), BentCoordinates(rate, turning)
 
 
-def _failures(flight: FlightResult) -> list[Event]:
+def _failures(flight: FlightResult, met: _Met) -> list[Event]:
     named = {"bottomed_time": ("bottomed", "an arm reaches the end of its stroke"),
-             "ground_time": ("ground", "a cage touches the ground"),
+             "ground_time": ("ground", "{parts} the ground"),
              "propeller_hit_time": ("propeller", "a propeller is hit"),
              "rotor_stop_time": ("rotor", "a rotor stops")}  # fmt: skip
     found = []
     for name, (label, text) in named.items():
         when = flight.measures.get(name)
         if when is not None:
-            found.append(Event(when, label, label, text))
+            found.append(Event(when, label, label, text.format(parts=_grounded(when, met))))
     return found
+
+
+def _grounded(when: float, met: _Met) -> str:
+    """Parts that touch the ground first, with the verb; the vehicle if they are not known."""
+    near = [
+        (one.begin, one.name)
+        for one, there in met
+        if one.begin - NEAR <= when <= one.end and (there is None or there.is_ground)
+    ]
+    first = min((begin for begin, _ in near), default=0.0)
+    names = [name for begin, name in near if begin == first] or ["the vehicle"]
+    return f"{' and '.join(names)} {'touch' if len(names) > 1 else 'touches'}"
 
 
 def _settling(flight: FlightResult) -> Iterator[Event]:
