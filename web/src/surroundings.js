@@ -53,15 +53,18 @@ function slab(thing, depth, colour, opacity, from = 0) {
   return mesh;
 }
 
-/** A shape of the user's own: a piece of its surface. */
+/** A shape of the user's own: a piece of its surface, of which each pixel shows the nearest part alone. */
 function surface(thing, colours) {
   const shape = new THREE.BufferGeometry();
   shape.setAttribute("position", new THREE.BufferAttribute(unpacked(thing.vertices), 3));
   shape.setAttribute("normal", new THREE.BufferAttribute(unpacked(thing.normals), 3));
   shape.setIndex(Array.from(unpacked(thing.triangles)));
-  return new THREE.Mesh(shape, new THREE.MeshStandardMaterial({
-    color: colours.wall, transparent: true, opacity: 0.55, roughness: 0.85, side: THREE.DoubleSide,
+  const depths = new THREE.Mesh(shape, new THREE.MeshBasicMaterial({ colorWrite: false, transparent: true, side: THREE.DoubleSide }));
+  const faces = new THREE.Mesh(shape, new THREE.MeshStandardMaterial({
+    color: colours.wall, transparent: true, opacity: 0.55, roughness: 0.85, depthWrite: false, side: THREE.DoubleSide,
   }));
+  [depths, faces].forEach((one, k) => (one.renderOrder = 3 + k));
+  return new THREE.Group().add(depths, faces);
 }
 
 /**
