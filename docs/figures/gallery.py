@@ -16,13 +16,13 @@ EXAMPLES = HERE.parents[1] / "examples"
 COMMANDS = [
     ["fly", f"{EXAMPLES}/own_vehicle.toml", "--out", "flight"],
     ["campaign", f"{EXAMPLES}/own_campaign.toml", "--out", "study"],
-    ["summary", "study", "--out", "page", "--map", "stiffness,start.velocity[0]"],
+    ["summary", "study", "--out", "page", "--map", "stiffness,speed"],
 ]
 #: Names on the page, and the files that the commands write.
 PICTURES = {
     "gallery_flight.png": "flight/flight.png",
     "gallery_energy.png": "flight/energy.png",
-    "gallery_map.png": "page/map-stiffness-start.velocity.0.png",
+    "gallery_map.png": "page/map-stiffness-speed.png",
     "gallery_marginals.png": "page/marginals.png",
 }
 

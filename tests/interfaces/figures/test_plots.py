@@ -93,7 +93,7 @@ def test_the_bar_of_shares_says_that_it_is_not_linear() -> None:
     ax = figure.subplots()
     mesh = draw_shares(ax, [0.0, 1.0, 2.0], [0.0, 1.0], [[0.2, 1.0]])
     bar = add_share_bar(figure, mesh, ax, "Success rate [-]")
-    assert bar.get_ylabel() == "Success rate [-], colours finer above 0.8"
+    assert bar.get_ylabel() == "Success rate [-],\ncolours finer above 0.8"
 
 
 def test_a_flight_without_contact_arms_or_motion_is_shown_too() -> None:

@@ -71,7 +71,7 @@ def draw_shares(ax: Axes, x: Any, y: Any, shares: Any) -> Any:
 def add_share_bar(figure: Figure, mesh: Any, axes: Any, label: str, **look: Any) -> Axes:
     """Add the colour bar of `draw_shares` beside axes; its label says that it is not linear."""
     bar = figure.colorbar(mesh, ax=axes, pad=0.02, ticks=SHARE_TICKS, **look)
-    bar.set_label(f"{label}, colours finer above {FINER:g}")
+    bar.set_label(f"{label},\ncolours finer above {FINER:g}")
     bar.ax.grid(visible=False)
     return bar.ax
 
