@@ -9,10 +9,13 @@ from typing import Any
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
 from builders.cases import nonempty
 from builders.world_files import imported, sdf, sdf_model
 from springback import InputError, read_world
+from springback.interfaces.cli.app import cli
+from springback.scenario.scenario import scenario_from
 from springback.scenario.worlds.content import WorldContent
 from springback.scenario.worlds.files import world_content
 from springback.scenario.worlds.imported import KINDS
@@ -131,3 +134,23 @@ def test_a_height_map_alone_has_no_size(tmp_path: Path) -> None:
     (tmp_path / "hill.png").write_bytes(b"x")
     with pytest.raises(InputError, match='use an obstacle of type = "heightmap" with its size'):
         read_world(tmp_path / "hill.png")
+
+
+def test_a_mesh_that_is_all_of_a_file_is_read_or_refused(tmp_path: Path) -> None:
+    """In one line: it was listed as not represented, and `world show` succeeded."""
+    (tmp_path / "good.stl").write_bytes(cube())
+    assert len(read_world(tmp_path / "good.stl").parts) == 1
+    (tmp_path / "picture.stl").write_bytes(b"\x89PNG" * 40)
+    (tmp_path / "hole.stl").write_bytes(cube(FACES[1:]))
+    (tmp_path / "cells.npz").write_bytes(b"x")
+    named = {"picture.stl": "is not STL", "hole.stl": "is open: 3 of ", "cells.npz": "is"}
+    for name, why in nonempty(named.items()):
+        with pytest.raises(InputError) as refused:
+            read_world(tmp_path / name)
+        [line] = refused.value.problems
+        assert line.startswith(f"{tmp_path / name}: {why}")
+        entry = {"type": "import", "file": str(tmp_path / name), "surface": "wall"}
+        with pytest.raises(InputError, match=r"^world\.obstacles\[0\]\.file: /"):
+            scenario_from({"vehicle": "arq", "world": {"obstacles": [entry]}})
+        shown = CliRunner().invoke(cli, ["world", "show", str(tmp_path / name)])
+        assert isinstance(shown.exception, InputError)  # one line and exit code 2

@@ -235,13 +235,20 @@ _TABLES: list[tuple[WorldContent, dict[str, Any]]] = []
 
 
 def content_table(content: WorldContent) -> dict[str, Any]:
-    """Content of a file as keys of `Imported`: the same objects for the same content."""
+    """Content of a file as keys of `Imported`: the same objects for the same content.
+
+    Raises:
+        InputError: If the file is itself a mesh or an occupancy grid that cannot be one.
+    """
     for known, table in _TABLES:
         if known is content:
             return table
     elements, missing = list[ImportedElement](), list(content.missing)
     for one in content.elements:
         table, why = _with_form(one.table)
+        file = str(content.files[0])
+        if why and one.table["file"] == file:
+            raise InputError(why if file in why else f"{file}: {why}", path=("file",))
         if why:
             missing.append(WorldRemark(one.name, why))
             continue
