@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from pathlib import Path
 from typing import Any
 
@@ -113,10 +114,41 @@ def test_so_it_is_of_one_in_a_union(board: dict[str, Any]) -> None:
         **PLACE,
         "shapes": [board | {"position": [0, 0, 0]}],
     }
-    with pytest.warns(
-        ContactWarning, match=r"the middle of world.obstacles\[0\], a union, is some 13.4"
-    ):
+    part = r"parts of world.obstacles\[0\].shapes\[0\], a mesh with cells of 4.38 mm, hold to some 13.4"
+    with pytest.warns(ContactWarning, match=part):
         edge_on(union, 3.5)
+
+
+COARSE = 0.0279
+
+
+def test_with_fewer_than_three_cells_across_every_contact_is_told(board: dict[str, Any]) -> None:
+    """Of a board of 1.4 cells the peak is a fifth too low, and nothing said so."""
+    with pytest.warns(ContactWarning, match=r"wrong at any depth, as they are 40 mm thick: fewer"):
+        coarse = edge_on({**board, "cell": COARSE})
+    peak = edge_on({"type": "box", "size": [0.5, 0.8, 0.04], **PLACE}).impact_peak_normal_force
+    assert coarse.impact_peak_normal_force is not None
+    assert peak is not None
+    assert coarse.impact_peak_normal_force < 0.85 * peak
+    assert coarse.penetration is not None
+    assert coarse.penetration < 0.018  # less than half its thickness
+
+
+def test_one_that_is_not_touched_is_not_told_of(board: dict[str, Any]) -> None:
+    """Beside another obstacle, which is."""
+    box = {"type": "box", "size": [0.5, 0.8, 0.04], **PLACE, "surface": "wall"}
+    beside = {**board, "position": [2.0, 0.0, 1.4], "cell": COARSE, "surface": "wall"}
+    with warnings.catch_warnings():
+        warnings.simplefilter("error", ContactWarning)
+        flight = fly(
+            {
+                "vehicle": "arq", "thrust": "hover", "world": {"obstacles": [box, beside]},
+                "start": {"position": [1.2, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0]},
+                "simulation": {"duration": 0.4},
+            }
+        )  # fmt: skip
+    [met] = flight.obstacle_contacts
+    assert met.obstacle.startswith("world.obstacles[0], ")
 
 
 def test_a_wall_of_one_cell_of_a_map_is_a_wall(tmp_path: Path) -> None:

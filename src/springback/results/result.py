@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from springback.contact.shapes import ShapeSettings, distance_around
-from springback.contact.thin_obstacles import thin_obstacles
+from springback.contact.thin_obstacles import ThinObstacle, thin_obstacles
 from springback.contact.worlds import Own
 from springback.errors import (
     CommandWarning,
@@ -200,12 +200,19 @@ class FlightResult(FlightMeasures):
         """Warning about an obstacle on the way that is thinner than twice the penetration."""
         depth = self.measures.get("penetration") or 0.0
         for one in thin_obstacles(named_obstacles(self.scenario.world.obstacles)):
-            if one.is_pierced(depth) and self._comes_near(one.shape):
+            if one.is_pierced(depth) and self._comes_near(one.shape) and self._may_touch(one):
                 return (
                     f"a contact came {1e3 * depth:.3g} mm deep, and {one.sentence}; what follows "
                     "is not to be trusted"
                 )
         return None
+
+    def _may_touch(self, one: ThinObstacle) -> bool:
+        """False if forces on an obstacle hold to no depth, and it is known to be untouched."""
+        if one.depth > 0.0 or len(self.scenario.world.obstacles) == 1:
+            return True
+        met, path = self.obstacle_contacts, one.name.partition("]")[0] + "]"
+        return not met or any(contact.obstacle.startswith(path) for contact in met)
 
     def _comes_near(self, shape: ShapeSettings) -> bool:
         """True if the vehicle comes near a shape, or no trajectory tells."""

@@ -5,9 +5,11 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from builders.campaign_folders import rows
+from builders.forms import box_file
 from builders.plans import THROW, plan
 from springback import fly
 from springback.campaign.access import Campaign
@@ -16,6 +18,7 @@ from springback.campaign.design.layout import lay_out
 from springback.campaign.store import open_store
 from springback.interfaces.output.no_contact import (
     idle_suction,
+    pierced_line,
     pressing_line,
     untouched_flight,
     untouched_line,
@@ -129,3 +132,31 @@ def test_successes_that_end_in_contact_are_told_of(tmp_path: Path) -> None:
     strict = _campaign(tmp_path / "strict", 2, 5, success=rule)
     assert strict.query("SELECT sum(success) FROM flights").rows == [(15,)]
     assert pressing_line(strict) == ""
+
+
+def test_contacts_with_a_mesh_of_coarse_cells_are_counted(tmp_path: Path) -> None:
+    """Forces on a sheet of 40 mm in cells of 28 mm hold to no depth: every touch counts."""
+    sheet = {
+        "type": "mesh", "file": box_file(0.04, 0.8, 0.8), "position": [1.0, 0.0, 1.0],
+        "surface": "wall", "cell": 0.028,
+    }  # fmt: skip
+    vary = [{"field": "start.velocity.0", "name": "speed", "from": "1 m/s", "to": "3 m/s"}]
+    design = lay_out(
+        plan(
+            samples=5,
+            robots=["arq"],
+            vary=vary,
+            scenario={**SHORT, "world": {"obstacles": [sheet]}},
+        )
+    )
+    columns = rows(design, 0, 5)
+    columns["outcome"], columns["problem"] = ["separated"] * 5, [""] * 5
+    columns["penetration"] = np.array([0.0, 1e-4, 0.013, 0.0, 0.002])
+    with open_store(tmp_path / "rows", design, resume=False) as store:
+        store.add(0, 5, columns)
+    line = pierced_line(Campaign(tmp_path / "rows"))
+    assert line.startswith(
+        "3 flights came up to 13 mm deep, and forces on the thinnest parts of world.obstacles[0], a "
+        "mesh with cells of 28 mm, are wrong at any depth, as they are 40 mm thick: fewer than three"
+    )
+    assert "give a cell of at most 0.005 m" in line

@@ -33,8 +33,9 @@ BEYOND = 12
 #: a map, it would leave too little of the part (chosen: of a board four cells thick forces are 27 %
 #: too low with it, up to 25 % too high without).
 FEWEST_ACROSS = 4.5
-#: Cells before the middle of a part in which forces on a smooth spline are too weak (chosen: peaks
-#: that end there are 1 to 2 % too low).
+#: Cells before the middle of a mesh's part in which forces are wrong (chosen: peaks that end there
+#: are 1 to 2 % too low on a smooth spline; with fewer than three cells across none can be trusted:
+#: on edges of boards of 1.4 to 2.5 cells peaks are 10 % too high to 37 % too low).
 ROUNDED = 1.5
 #: Points of the surface at which the error of a grid is measured (chosen).
 PROBES = 2000
@@ -70,10 +71,10 @@ class DistanceGrid(NamedTuple):
 
     @property
     def holds_to(self) -> float:
-        """Depth of contacts to which forces on its thinnest parts hold [m]."""
-        known = math.isfinite(self.thinnest)
-        middle = 0.5 * self.thinnest if known else -float(self.values.min())
-        return max(0.0, middle - (ROUNDED * self.cell if self.is_smooth else 0.0))
+        """Depth of contacts to which forces on its thinnest parts hold [m]; 0 if to none."""
+        if not math.isfinite(self.thinnest):
+            return -float(self.values.min())
+        return max(0.0, 0.5 * self.thinnest - ROUNDED * self.cell)
 
     def table(self) -> NumberTable:
         """Its numbers for `springback.contact.scene.grid_face`."""
@@ -130,21 +131,49 @@ def fitting_cell(mesh: Triangles) -> float:
     return max(min(usual, thin), cell_of(mesh, NODES_IF_THIN))
 
 
-def check_nodes(counts: Any, cell: float, field: str) -> None:
+def node_counts(extent: Array, cell: float) -> Array:
+    """Nodes along x, y and z of the grid around a body, as whole floating-point numbers.
+
+    Args:
+        extent: Of the body [m], shape (3,).
+        cell: Length of a cell [m].
+    """
+    return np.asarray(np.ceil(extent / cell) + 1.0 + 2.0 * ROOM)
+
+
+def least_cell(extent: Array) -> float:
+    """Smallest cells of a grid that is not too large, rounded up to three digits [m].
+
+    Args:
+        extent: Of the body that it is around [m], shape (3,).
+    """
+    high = float(np.max(extent))
+    low = 1e-9 * high
+    for _ in range(60):  # in equal ratios, to rounding
+        middle = math.sqrt(low * high)
+        fits = node_counts(extent, middle).prod() <= MOST_NODES
+        low, high = (low, middle) if fits else (middle, high)
+    near = float(f"{high:.3g}")
+    return (
+        near if near >= high else float(f"{near + 10.0 ** (math.floor(math.log10(high)) - 2):.3g}")
+    )
+
+
+def check_nodes(extent: Array, cell: float, field: str) -> None:
     """Reject a grid that is too large.
 
     Args:
-        counts: Nodes along x, y and z.
+        extent: Of the body that it is around [m], shape (3,).
         cell: Length of its cells [m].
         field: What sets the number, for the message.
     """
-    nodes = math.prod(int(n) for n in counts)
+    counts = node_counts(extent, cell)
+    nodes = float(counts.prod())
     if nodes > MOST_NODES:
-        needed = cell * (nodes / MOST_NODES) ** (1.0 / 3.0)
         raise problem(
-            f"gives a grid of {' x '.join(str(int(n)) for n in counts)} nodes, "
-            f"{8e-6 * nodes:.4g} MB; the most is {8e-6 * MOST_NODES:g} MB: cells of {needed:.3g} m "
-            f"or more (got {cell:.3g} m)",
+            f"gives a grid of {' x '.join(f'{n:.8g}' for n in counts)} nodes, "
+            f"{8e-6 * nodes:.4g} MB; the most is {8e-6 * MOST_NODES:g} MB: cells of "
+            f"{least_cell(extent):.3g} m or more (got {cell:.3g} m)",
             field,
         )
 
@@ -160,8 +189,8 @@ def grid_of_mesh(mesh: Triangles, cell: float) -> DistanceGrid:
         The problem, if it has too many nodes.
     """
     low, high = mesh.vertices.min(axis=0), mesh.vertices.max(axis=0)
-    counts = np.ceil((high - low) / cell).astype(int) + 1 + 2 * ROOM
-    check_nodes(counts, cell, "cell")
+    check_nodes(high - low, cell, "cell")
+    counts = node_counts(high - low, cell).astype(int)
     first = 0.5 * (low + high) - 0.5 * cell * (counts - 1)
     axes = tuple(first[k] + cell * np.arange(counts[k]) for k in range(3))
     nodes = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
@@ -196,7 +225,7 @@ def grid_of_cells(occupied: Any, cell: float, low: Array) -> DistanceGrid:
     """
     if not occupied.any():
         raise problem("has no occupied cell", "file")
-    check_nodes(np.array(occupied.shape) + 2 * ROOM, cell, "file")
+    check_nodes(cell * (np.array(occupied.shape) - 1.0), cell, "file")
     whole = np.pad(occupied, ROOM)
     values = np.where(whole, -_to_cells(whole), _to_cells(~whole)) * cell
     first = np.asarray(low, dtype=np.float64) + cell * (0.5 - ROOM)

@@ -156,6 +156,11 @@ class MeshBody(GridShape):
         """Its surface, in its own axes [m]."""
         return _triangles(self.file, self.content, self.scale)
 
+    def extent(self) -> tuple[float, float, float]:
+        """Its lengths along its own axes [m]."""
+        x, y, z = np.ptp(self.triangles().vertices, axis=0).tolist()
+        return x, y, z
+
 
 class OccupancyGrid(GridShape):
     """Cells that are occupied or free, as of a map, by the distance from the occupied ones."""

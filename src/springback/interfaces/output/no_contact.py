@@ -184,8 +184,9 @@ def pierced_line(campaign: Campaign) -> str:
     [(pierced, deepest)] = campaign.query(sql, [PIERCED * first.depth]).rows
     if not pierced:
         return ""
+    flights = "1 flight" if pierced == 1 else f"{pierced} flights"
     return (
-        f"{pierced} flights came up to {1e3 * deepest:.3g} mm deep, and {first.sentence}; those "
+        f"{flights} came up to {1e3 * deepest:.3g} mm deep, and {first.sentence}; those "
         f"that met it are not to be trusted (penetration > {PIERCED * first.depth:.4g} m)"
     )
 

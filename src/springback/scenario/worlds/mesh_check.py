@@ -7,16 +7,17 @@ from typing import Any
 
 import numpy as np
 
-from springback.contact.grids.distance_grids import ACROSS
+from springback.contact.grids.distance_grids import least_cell
 from springback.contact.grids.measured_shapes import MeshBody
+from springback.contact.thin_obstacles import COARSE, cell_advice
 from springback.contact.unions import ShapeUnion
 from springback.scenario.worlds.imported import Imported
 from springback.settings import problem
 
 #: Size of a mesh from which its file may be in millimetres [m] (chosen: larger than most halls).
 LARGE = 50.0
-#: Fewest cells across the thinnest parts without a warning (chosen).
-COARSE = 6.0
+#: Cells across the thinnest parts with fewer of which forces are wrong by more (measured: boards).
+FEW = 3.0
 #: Meshes whose sizes are remembered (chosen).
 LATEST = 64
 _KNOWN: dict[tuple[Any, ...], tuple[tuple[float, ...], float, float]] = {}
@@ -31,9 +32,15 @@ def check_meshes(obstacles: Sequence[Any]) -> None:
     for path, _, mesh in _meshes(obstacles):
         size, cell, deepest = _numbers(mesh)
         if path and deepest <= 0.0:
+            least, most = least_cell(np.array(size)), 0.5 * min(size)
+            needed = (
+                f"must be at most {most:.3g} m"
+                if least <= most
+                else f"a mesh so large allows no cell below {least:.3g} m; use a box"
+            )
             raise problem(
                 f"leaves nothing of the mesh of {_by(size)} m: parts thinner than two cells are "
-                f"lost; must be at most {0.5 * min(size):.3g} m (got {cell:.3g} m)",
+                f"lost; {needed} (got {cell:.3g} m)",
                 f"{path}.cell",
             )
 
@@ -45,7 +52,7 @@ def mesh_warnings(obstacles: Sequence[Any]) -> list[str]:
         obstacles: Of a world.
     """
     found = []
-    for _, name, mesh in _meshes(obstacles):
+    for path, name, mesh in _meshes(obstacles):
         size, cell, deepest = _numbers(mesh)
         if large := size_words(mesh):
             found.append(f"{name}: is a mesh{large}")
@@ -55,11 +62,12 @@ def mesh_warnings(obstacles: Sequence[Any]) -> list[str]:
                 "are too coarse; use a box, or an obstacle of type mesh with a smaller cell"
             )
         elif cell * COARSE > (thin := mesh.form().thinnest):
+            wrong = "up to 40 % wrong" if FEW * cell > thin else "up to 30 % wrong"
             lost = ", and parts thinner than two cells are lost" if 2.0 * cell > thin else ""
             found.append(
                 f"{name}: cells of {cell:.3g} m are coarse for a mesh whose thinnest parts are "
-                f"{thin:.3g} m thick: forces on them are up to 30 % wrong{lost}; give a cell "
-                f"of at most {thin / ACROSS:.3g} m"
+                f"{thin:.3g} m thick: forces on them are {wrong}{lost}; "
+                f"{'' if path else 'as an obstacle of type mesh '}{cell_advice(mesh)}"
             )
     return found
 
