@@ -107,7 +107,8 @@ def test_both_report_the_same_touch(name: str) -> None:
     assert first.measures["contacts"] == second.measures["contacts"]
     begun = [event.text for event in second.events if event.text.startswith("first touch")]
     assert begun == [
-        f"first touch, at {second.touch_speed:.2f} m/s along the normal, relative to it"
+        f"first touch, at {second.touch_speed:.2f} m/s along the normal, relative to it, "
+        "on the first vehicle"
     ]
 
 
