@@ -56,6 +56,14 @@ def ball_triangles(radius: float, rounds: int = 48) -> Triangles:
     return Triangles(vertices, np.concatenate(faces))
 
 
+def beside(*bodies: tuple[Triangles, tuple[float, float, float]]) -> Triangles:
+    """Bodies, each at a place, as one mesh."""
+    ends = np.cumsum([0, *(len(one.vertices) for one, _ in bodies)])
+    vertices = np.concatenate([one.vertices + place for one, place in bodies])
+    faces = np.concatenate([one.faces + k for (one, _), k in zip(bodies, ends, strict=False)])
+    return Triangles(vertices, faces)
+
+
 def stl_bytes(mesh: Triangles) -> bytes:
     """A binary STL."""
     kind = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("unused", "<u2")])

@@ -219,7 +219,10 @@ def with_contact(flight: Flight) -> Flight:
         **flight.measures, "touch_time": 2.0, "separation_time": 2.1, "return_time": 2.1,
     }  # fmt: skip
     columns = {**flight.columns, "fn1": force, "fn2": 0.5 * force}
-    return replace(flight, columns=columns, measures=measures)
+    rates = [f"dl{j}" for j in (1, 2, 3, 4)]
+    columns |= {name: 0.0 * t for name in rates}
+    units = {**flight.units, **dict.fromkeys(rates, "m/s")}
+    return replace(flight, columns=columns, measures=measures, units=units)
 
 
 def fake_trials(lost: Outcome = Outcome.RECOVERED) -> ResilienceResults:

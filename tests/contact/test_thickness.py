@@ -10,22 +10,13 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from builders.forms import ball_triangles, box_triangles, stl_bytes
+from builders.forms import ball_triangles, beside, box_triangles, stl_bytes
 from springback.contact.grids.distance_grids import NODES_IF_THIN, cell_of, fitting_cell
 from springback.contact.grids.mesh_files import Triangles
 from springback.contact.grids.occupancy import occupancy_file
 from springback.contact.grids.thickness import thinnest_part
 from springback.errors import ContactWarning
 from springback.results.flight import Flight, fly
-
-
-def beside(*bodies: tuple[Triangles, tuple[float, float, float]]) -> Triangles:
-    """Bodies, each at a place, as one mesh."""
-    ends = np.cumsum([0, *(len(one.vertices) for one, _ in bodies)])
-    vertices = np.concatenate([one.vertices + place for one, place in bodies])
-    faces = np.concatenate([one.faces + k for (one, _), k in zip(bodies, ends, strict=False)])
-    return Triangles(vertices, faces)
-
 
 #: A seat on four legs, which are thinner.
 CHAIR = beside(

@@ -116,7 +116,7 @@ def test_what_a_pilot_does_not_tell_is_left_out(flight: Flight) -> None:
 def test_contacts_of_a_guided_flight_are_shaded_and_the_impact_has_a_figure(flight: Flight) -> None:
     hit = with_contact(flight)
     axes = panels(plots.flight_figure(hit))
-    assert "Contact [N]" in axes
+    assert "Normal force [N]" in axes
     (shade,) = axes["x [m]"].patches
     assert (shade.get_x(), shade.get_width()) == pytest.approx((2.0, 0.1), abs=0.02)
     impact = plots.impact_figure(hit)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -10,9 +10,13 @@ from springback.contact.grids.mesh_files import Triangles
 from springback.settings import problem
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
+Cells = np.ndarray[Any, np.dtype[np.intp]]
 
 #: Smallest extent of a mesh, as a share of its largest: thinner ones are no bodies (chosen).
 FLAT = 1e-9
+#: Pairs of points and faces looked at together, fewest and most columns along an axis, and most
+#: faces in all columns (chosen: some 100 MB each).
+PAIRS, FEWEST_COLUMNS, MOST_COLUMNS, MOST_IN_COLUMNS = 300_000, 50, 1000, 10_000_000
 
 
 def closed_mesh(file: str, mesh: Triangles) -> Triangles:
@@ -104,6 +108,85 @@ def _count_crossings(corners: Array, axes: tuple[Array, Array, Array], count: An
     lift = normal[:, 0] * (px - a[face, 0]) + normal[:, 1] * (py - a[face, 1])
     height = a[face, 2] - lift / normal[:, 2]
     np.add.at(count, (i, j, np.searchsorted(z, height)), np.where(up[hit], 1, -1))
+
+
+def winding_numbers(mesh: Triangles, points: Array) -> Cells:
+    """Winding number of a closed mesh about points: 0 outside, 1 in a body, 2 in two at once.
+
+    Faces above each point are counted as in `inside`; they are sought in columns along z.
+
+    Args:
+        mesh: A closed mesh.
+        points: Shape (points, 3) [m].
+    """
+    found, columns = np.zeros(len(points), dtype=np.intp), _columns_of(mesh)
+    column = columns.of(points)
+    at = np.flatnonzero(column >= 0)
+    number = columns.ends[column[at] + 1] - columns.ends[column[at]]
+    ends = np.cumsum(number)
+    for part in np.split(at, np.flatnonzero(np.diff(ends // PAIRS)) + 1):
+        first = columns.ends[column[part]]
+        each = columns.ends[column[part] + 1] - first
+        k = np.repeat(part, each)
+        step = np.arange(len(k)) - np.repeat(np.cumsum(each) - each, each)
+        face = columns.faces[np.repeat(first, each) + step]
+        there, low, high = points[k], columns.lowest[face], columns.highest[face]
+        over = (high > there).all(axis=1) & (low[:, :2] < there[:, :2]).all(axis=1)
+        k, corners = k[over], columns.corners[face[over]]
+        x, y, z = points[k].T
+        a, b, c = np.moveaxis(corners, 1, 0)
+        sides = [_side(p, q, x, y) for p, q in ((a, b), (b, c), (c, a))]
+        up = (sides[0] > 0) & (sides[1] > 0) & (sides[2] > 0)
+        hit = np.flatnonzero(up | ((sides[0] < 0) & (sides[1] < 0) & (sides[2] < 0)))
+        normal = np.cross(b[hit] - a[hit], c[hit] - a[hit])
+        lift = normal[:, 0] * (x[hit] - a[hit, 0]) + normal[:, 1] * (y[hit] - a[hit, 1])
+        higher = a[hit, 2] - lift / normal[:, 2] > z[hit]
+        hit = hit[higher]
+        np.add.at(found, k[hit], np.where(up[hit], 1, -1))
+    return found
+
+
+class _Columns(NamedTuple):
+    """Columns along z, in a square pattern, and the faces that may be in each."""
+
+    corners: Array  # of all faces [m]
+    lowest: Array  # of the boxes of faces [m]
+    highest: Array
+    low: Array  # of the pattern along x and y [m]
+    width: Array  # of a column along x and y [m]
+    along: int  # their number along x, and along y
+    faces: Cells  # of all columns, one after the other
+    ends: Cells  # where those of a column begin, and the last ones end
+
+    def of(self, points: Array) -> Cells:
+        """Column of each point; −1 beside them all."""
+        place = np.floor((points[:, :2] - self.low) / self.width).astype(np.intp)
+        within = ((place >= 0) & (place < self.along)).all(axis=1)
+        return np.where(within, place[:, 0] * self.along + place[:, 1], -1)
+
+
+def _columns_of(mesh: Triangles) -> _Columns:
+    """Columns of a mesh: some as many as faces, or fewer if these are in many."""
+    corners = mesh.corners
+    lowest, highest = corners.min(axis=1), corners.max(axis=1)
+    low, high = lowest[:, :2], highest[:, :2]
+    origin, most = low.min(axis=0), high.max(axis=0)
+    count = min(int(2.0 * np.sqrt(len(corners))) + FEWEST_COLUMNS, MOST_COLUMNS)
+    while True:
+        width = (most - origin) * (1.0 + 1e-9) / count
+        first = np.floor((low - origin) / width).astype(np.intp)
+        across = np.floor((high - origin) / width).astype(np.intp) - first + 1
+        number = across.prod(axis=1)
+        if count == 1 or number.sum() <= MOST_IN_COLUMNS:
+            break
+        count //= 2
+    face = np.repeat(np.arange(len(corners)), number)
+    step = np.arange(len(face)) - np.repeat(np.cumsum(number) - number, number)
+    i, j = first[face, 0] + step // across[face, 1], first[face, 1] + step % across[face, 1]
+    column = i * count + j
+    order = np.argsort(column, kind="stable")
+    ends = np.searchsorted(column[order], np.arange(count * count + 1))
+    return _Columns(corners, lowest, highest, origin, width, count, face[order], ends)
 
 
 def _side(p: Array, q: Array, x: Array, y: Array) -> Array:

@@ -12,6 +12,7 @@ from springback.contact.grids.closed_meshes import inside
 from springback.contact.grids.mesh_distance import SurfacePoints
 from springback.contact.grids.mesh_files import Triangles
 from springback.contact.grids.thickness import thinnest_part
+from springback.contact.grids.union_surfaces import union_surface
 from springback.contact.scene.grid_face import COEFFICIENTS
 from springback.kernels.routines import NumberTable
 from springback.random_streams import Purpose, stream
@@ -127,7 +128,7 @@ def cell_of(mesh: Triangles, nodes: int = NODES) -> float:
 def fitting_cell(mesh: Triangles) -> float:
     """Length of the cells of a mesh's grid, unless it is given [m]: smaller for thin parts."""
     usual = cell_of(mesh)
-    thin = thinnest_part(mesh, 0.5 * usual) / ACROSS
+    thin = thinnest_part(union_surface(mesh, usual), 0.5 * usual) / ACROSS
     return max(min(usual, thin), cell_of(mesh, NODES_IF_THIN))
 
 
@@ -179,7 +180,7 @@ def check_nodes(extent: Array, cell: float, field: str) -> None:
 
 
 def grid_of_mesh(mesh: Triangles, cell: float) -> DistanceGrid:
-    """Grid of a closed mesh.
+    """Grid of a closed mesh: of bodies that overlap, of their union.
 
     Args:
         mesh: In metres, faces anticlockwise from outside.
@@ -194,10 +195,15 @@ def grid_of_mesh(mesh: Triangles, cell: float) -> DistanceGrid:
     first = 0.5 * (low + high) - 0.5 * cell * (counts - 1)
     axes = tuple(first[k] + cell * np.arange(counts[k]) for k in range(3))
     nodes = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
-    surface = SurfacePoints(mesh, cell)
-    away = surface.grid_distances(nodes, cell)
-    values = np.where(inside(mesh, (axes[0], axes[1], axes[2])), -away, away)
-    grid = DistanceGrid(first, cell, values, np.zeros(2), thinnest_part(mesh, 0.5 * cell))
+    outer = union_surface(mesh, cell)
+    surface = SurfacePoints(outer, cell)
+    within = inside(mesh, (axes[0], axes[1], axes[2]))
+    # From outside the nearest of all triangles is never one within another body.
+    away = SurfacePoints(mesh, cell).grid_distances(nodes, cell)
+    if outer is not mesh:
+        away[within] = surface.distances(nodes[within], cell)
+    values = np.where(within, -away, away)
+    grid = DistanceGrid(first, cell, values, np.zeros(2), thinnest_part(outer, 0.5 * cell))
     return grid._replace(error=_error(grid, surface))
 
 

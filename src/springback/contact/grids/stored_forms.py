@@ -24,7 +24,7 @@ from springback.errors import CacheWarning
 from springback.files import write_atomically
 
 #: Number of the form of the files, and of what computes them: a change makes them anew.
-VERSION = 5
+VERSION = 7
 _DIGEST = 32
 #: Longest wait for another process that computes the same [s] (chosen).
 _PATIENCE = 600.0

@@ -39,7 +39,7 @@ def thinnest_part(mesh: Triangles, apart: float) -> float:
     """Thickness of the thinnest parts [m]; infinite if no two sides face away from each other.
 
     Args:
-        mesh: Closed, faces anticlockwise from outside [m].
+        mesh: Closed, or of `union_surface`, faces anticlockwise from outside [m].
         apart: Spacing of the surface's points [m]; thinner parts are looked at more closely.
     """
     found = _thinnest(mesh, apart)

@@ -22,8 +22,8 @@ from springback.interfaces.output.progress_lines import ProgressLines
 
 Command = Callable[..., None]
 FIRST = (
-    "flying; a new kind of flight is compiled first, for 10 s (with a pilot up to a minute, with "
-    "moving obstacles up to two)"
+    "flying; a new kind of flight is compiled first, for 10 s (with a pilot for 20 s to a "
+    "minute, with moving obstacles for up to two)"
 )
 """Label of the spinner while a flight is flown."""
 PATIENCE = 1.0
