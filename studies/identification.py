@@ -20,6 +20,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.batch.threads import single_threads
 from springback.identification.design.coverage import (
     SyntheticFit,
     coverage_of,
@@ -224,7 +225,8 @@ def main() -> None:
     print("se in % (cover of 95 % in %; median error in %; scatter over se); clocks' se in ms; "
           "misfits said in %; without a fit; seconds each")  # fmt: skip
     begun = time.time()
-    with ProcessPoolExecutor(given.processes, mp_context=get_context("spawn")) as pool:
+    pool = ProcessPoolExecutor(given.processes, mp_context=get_context("spawn"))
+    with single_threads(), pool:
         for name in filter(None, given.rows.split(",")):
             jobs = [(name, seed) for seed in range(given.sets)]
             print_row(name, list(pool.map(one_set, jobs)))

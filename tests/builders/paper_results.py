@@ -220,7 +220,7 @@ def with_contact(flight: Flight) -> Flight:
     }  # fmt: skip
     columns = {**flight.columns, "fn1": force, "fn2": 0.5 * force}
     rates = [f"dl{j}" for j in (1, 2, 3, 4)]
-    columns |= {name: 0.0 * t for name in rates}
+    columns |= dict.fromkeys(rates, 0.0 * t)
     units = {**flight.units, **dict.fromkeys(rates, "m/s")}
     return replace(flight, columns=columns, measures=measures, units=units)
 

@@ -20,6 +20,7 @@ from multiprocessing.context import SpawnProcess
 from typing import Any, NamedTuple
 
 from springback.batch.scenarios import Device
+from springback.batch.threads import single_threads
 from springback.campaign.errors import CampaignError
 from springback.campaign.flying import Chunk, ChunkRows, fly_chunk
 from springback.campaign.store import source
@@ -28,8 +29,6 @@ from springback.errors import warn_in_one_line
 Remark = Callable[[str], None]
 #: Number of lost workers after which a chunk is given up (chosen).
 STRIKES = 3
-#: One thread in each worker, so that linear algebra does not use the others' cores.
-SINGLE = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
 
 
 class GivenUp(NamedTuple):
@@ -49,7 +48,7 @@ class _Worker:
         self.process: SpawnProcess = context.Process(
             target=SERVED, args=(theirs, text, device), daemon=True, name="springback worker"
         )
-        with _single_threads(), _ctrl_c_blocked():
+        with single_threads(), _ctrl_c_blocked():
             self.process.start()
         theirs.close()
         self.chunk: Chunk | None = None
@@ -64,21 +63,6 @@ class _Worker:
         self.process.kill()
         self.process.join()
         self.line.close()
-
-
-@contextlib.contextmanager
-def _single_threads() -> Iterator[None]:
-    """Environment for child processes in which libraries use one thread."""
-    before = {name: os.environ.get(name) for name in SINGLE}
-    os.environ.update(dict.fromkeys(SINGLE, "1"))
-    try:
-        yield
-    finally:
-        for name, value in before.items():
-            if value is None:
-                del os.environ[name]
-            else:
-                os.environ[name] = value
 
 
 @contextlib.contextmanager

@@ -18,6 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.batch.sampled import sampled_flights
+from springback.batch.threads import single_threads
 from springback.errors import InputError
 from springback.identification.fits import base_scenario, fields_of_plan, result_of
 from springback.identification.observations.likelihood import ImpactProblem
@@ -119,7 +120,9 @@ def check_coverage(
     count = processes or os.cpu_count() or 1
     with ProcessPoolExecutor(count, mp_context=get_context("spawn")) as pool:
         jobs = [(plan, tables, fields, seed, flown) for seed in range(1, sets)]
-        for one in pool.map(_job, jobs, chunksize=1):
+        with single_threads():  # all processes start with the first jobs
+            fitted = pool.map(_job, jobs, chunksize=1)
+        for one in fitted:
             outcomes.append(one)
             progress(len(outcomes) / sets)
     return coverage_of(fields, outcomes)._replace(lead=lead)
