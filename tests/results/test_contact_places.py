@@ -142,3 +142,11 @@ def test_two_vehicles_name_each_other(tmp_path: Path) -> None:
 
 def test_a_flight_without_contact_touched_nothing() -> None:
     assert springback.fly(thrown(pole(9.0, 0.0))).obstacle_contacts == ()
+
+
+def test_a_union_is_told_by_its_name() -> None:
+    shapes = [{**pole(0.45, 0.0), "surface": "wall"}]
+    union = {"type": "union", "shapes": shapes}
+    assert only(springback.fly(thrown(union))).obstacle == "world.obstacles[0], a union"
+    named = only(springback.fly(thrown({**union, "name": "the table"})))
+    assert named.obstacle == "world.obstacles[0], the table"

@@ -111,3 +111,14 @@ def test_a_wrong_value_inside_a_list_is_blamed_on_its_own_line(tmp_path: Path) -
         ["union.toml:10", "world.obstacles[0].shapes[1].size"],
         ["union.toml:11", "world.obstacles[0].shapes[2].type"],
     ]
+
+
+def test_a_shape_of_a_union_that_would_move_is_refused(tmp_path: Path) -> None:
+    """It was accepted, and stood still."""
+    moving = UNION.replace(
+        'radius = "0.2 m" },\n  { type = "box"',
+        'radius = "0.2 m", motion = { type = "constant", velocity = [-1, 0, 0] } },\n  { type = "box"',
+    ).replace('"-1 m"', "1")
+    (tmp_path / "union.toml").write_text(moving.replace('"spher"', '"sphere"'))
+    with pytest.raises(InputError, match=r"shapes\[0\]\.motion: cannot be given: .*move together"):
+        read_scenario(tmp_path / "union.toml")

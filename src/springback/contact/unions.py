@@ -68,6 +68,13 @@ class ShapeUnion(AttitudeSettings, ShapeSettings):
     def _has_shapes(self) -> ShapeUnion:
         if not 0 < len(self.shapes) <= MOST_SHAPES:
             raise problem(f"must be 1 to {MOST_SHAPES} (got {len(self.shapes)})", "shapes")
+        moving = [k for k, shape in enumerate(self.shapes) if shape.motion is not None]
+        if moving:
+            raise problem(
+                "cannot be given: the shapes of a union move together; give it to the union, or "
+                "make the shape an obstacle of its own",
+                f"shapes[{moving[0]}].motion",
+            )
         return self
 
     def law(self) -> SurfaceSettings:

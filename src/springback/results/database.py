@@ -152,7 +152,10 @@ def one_select(sql: str) -> str:
     try:
         found = duckdb.extract_statements(sql)
     except duckdb.Error as error:
-        raise InputError(f"SQL: {in_one_line(error)}") from None
+        why = f"SQL: {in_one_line(error)}"
+        raise InputError(
+            f'{why}; a column whose name is a word of SQL needs double quotes, such as "offset"'
+        ) from None
     if len(found) != 1 or found[0].type != duckdb.StatementType.SELECT:
         kinds = ", ".join(str(one.type).rpartition(".")[2] for one in found)
         raise InputError(f"SQL: must be one SELECT (got {kinds or 'nothing'})")

@@ -329,6 +329,10 @@ def test_a_dry_run_leaves_nothing(place: Path, here: Here) -> None:
         (("campaign", "plan.toml", "success='touch_sped < 2'", "--out", "new"), "touch_sped"),
         (("query", "new"), "new: has no campaign"),
         (("query", "whole", "SELECT speeed FROM flights"), 'SQL: Binder Error: .*"speeed"'),
+        (
+            ("query", "whole", "SELECT offset FROM flights"),
+            'SQL: Parser Error: .*double quotes, such as "offset"',
+        ),
         (("query", "whole", "SELECT 1", "--out", "x.xlsx"), "must end in"),
         (("refly", "whole", "300"), "from 0 to 299"),
         (("summary", "whole", "--map", "speed"), "give two fields"),

@@ -71,7 +71,7 @@ class _Names(NamedTuple):
 
 
 def _kind(word: str) -> str:
-    article = "an" if word[0].lower() in "aeiou" else "a"
+    article = "an" if word[0].lower() in "aeiou" and word != "union" else "a"
     return GROUND if word == "ground" else f"{article} {word}"
 
 
@@ -84,7 +84,8 @@ def _names_of(flight: FlightResult) -> _Names:
     found = _Names([], [], {}, of_own, other)
     built_in = [k for k, one in enumerate(world.obstacles) if not isinstance(one, UserShape)]
     for number, k in enumerate(built_in):
-        entry, name = world.obstacles[k], f"world.obstacles[{k}], {_kind(world.obstacles[k].type)}"
+        entry = world.obstacles[k]
+        name = f"world.obstacles[{k}], {getattr(entry, 'name', '') or _kind(entry.type)}"
         if getattr(entry, "motion", None) is not None:
             found.moving[float(number)] = name
             continue
