@@ -160,6 +160,15 @@ def test_three_rotors_turn_no_vehicle_about_its_axis() -> None:
     assert scenario_warnings(scenario_from(tables)) == []
 
 
+@pytest.mark.parametrize("directions", [["0 deg"], ["0 deg", "180 deg"]])
+def test_one_or_two_rotors_give_no_roll_or_pitch(directions: list[str]) -> None:
+    """A row without numbers ended the check in the linear algebra."""
+    arms = {"directions": directions, "torque_ratio": 0.016}
+    vehicle = {"preset": "arq", "arms": arms, "propulsion": {"max_thrust": 40.0}}
+    said = scenario_warnings(scenario_from({"vehicle": vehicle, "reference": {"type": "hold"}}))
+    assert any("cannot give lift, roll and pitch each by itself" in one for one in said)
+
+
 def test_arms_that_can_fold_into_each_other_are_told() -> None:
     """The gap is the smallest of all places of both, here of a fine grid of angles."""
     joint = {"type": "hinge", "position": [0.06, 0, 0], "axis": [0, 0, 1], "stiffness": 1.0}

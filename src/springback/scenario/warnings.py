@@ -151,9 +151,15 @@ def _unsteered(vehicle: Vehicle) -> list[str]:
     if not any(turning):
         return []
     rows = np.array([[1.0] * len(arms), [e.y for e in ends], [-e.x for e in ends], turning])
-    rows /= np.abs(rows).max(axis=1, keepdims=True)
+    most = np.abs(rows).max(axis=1, keepdims=True)
+    rows /= np.where(most > 0.0, most, 1.0)
     if np.linalg.matrix_rank(rows, tol=NO_MOMENT) == len(rows):
         return []
+    if np.linalg.matrix_rank(rows[:3], tol=NO_MOMENT) < 3:
+        return [
+            f"rotors at the ends of arms cannot give lift, roll and pitch each by itself (arms: "
+            f"{len(arms)}): the vehicle falls over; give it three or more that are not in line"
+        ]
     return [
         f"the {len(arms)} rotors cannot give lift, roll, pitch and yaw each by itself: "
         "yaw is left without command, and the vehicle spins as their torques make it; give it more "
