@@ -17,6 +17,8 @@ from springback.contact.unions import ShapeUnion
 PIERCED = 0.95
 #: Fewest cells across the thinnest parts of a mesh without a warning (chosen).
 COARSE = 6.0
+#: Depth from which contacts with edges of a mesh are looked at, as a share of a cell (chosen).
+SHALLOW = 0.5
 #: Smallest cells, as a share of those there are, that are worth asking for (chosen).
 SMALLER = 0.8
 
@@ -32,6 +34,20 @@ class ThinObstacle(NamedTuple):
     def is_pierced(self, depth: float) -> bool:
         """True if a contact so deep [m] may reach the other side, or no force on it holds."""
         return depth > PIERCED * self.depth
+
+    def is_doubtful(self, depth: float) -> bool:
+        """True if forces at that depth [m] hold at some places only."""
+        part = self.part
+        return self.is_pierced(depth) or (
+            isinstance(part, MeshBody) and depth > SHALLOW * part.form().cell
+        )
+
+    def warning(self, depth: float) -> str:
+        """Sentence on a contact that came too deep [m]."""
+        return (
+            f"a contact came {1e3 * depth:.3g} mm deep, and {self.sentence}; what follows "
+            "is not to be trusted"
+        )
 
     @property
     def sentence(self) -> str:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
 from springback.contact.shapes import ShapeSettings, distance_around
-from springback.contact.thin_obstacles import ThinObstacle, thin_obstacles
+from springback.contact.thin_obstacles import thin_obstacles
 from springback.contact.worlds import Own
 from springback.errors import (
     CommandWarning,
@@ -169,7 +170,7 @@ class FlightResult(FlightMeasures):
         """True if the simulation stayed finite."""
         return self.outcome is not Outcome.NOT_FINITE
 
-    @property
+    @cached_property
     def remarks(self) -> dict[type[FlightWarning], str]:
         """Warnings about the flight, a sentence each, by their kind."""
         found: dict[type[FlightWarning], str] = {}
@@ -180,8 +181,8 @@ class FlightResult(FlightMeasures):
                 f"the energy ledger leaves {share} of the energy: the "
                 "numbers cannot be trusted; try a smaller simulation.impact_step"
             )
-        if (thin := self._pierced()) is not None:
-            found[ContactWarning] = thin
+        if deep := self._deep():
+            found[ContactWarning] = deep
         if (crossed := overlapping_cages(self.scenario.vehicle, self.columns)) is not None:
             found[OverlapWarning] = crossed
         commands = [values for name, values in self.telemetry.items() if name.startswith("command")]
@@ -196,23 +197,17 @@ class FlightResult(FlightMeasures):
             )
         return found
 
-    def _pierced(self) -> str | None:
-        """Warning about an obstacle on the way that is thinner than twice the penetration."""
+    def _deep(self) -> str:
+        """Warning of an obstacle on the way whose forces do not hold to the depth; else empty."""
         depth = self.measures.get("penetration") or 0.0
-        for one in thin_obstacles(named_obstacles(self.scenario.world.obstacles)):
-            if one.is_pierced(depth) and self._comes_near(one.shape) and self._may_touch(one):
-                return (
-                    f"a contact came {1e3 * depth:.3g} mm deep, and {one.sentence}; what follows "
-                    "is not to be trusted"
-                )
-        return None
+        named = thin_obstacles(named_obstacles(self.scenario.world.obstacles))
+        thin = [one for one in named if one.is_doubtful(depth) and self._comes_near(one.shape)]
+        if thin and self.columns:
+            from springback.results.contacts.depths import deep_contact
 
-    def _may_touch(self, one: ThinObstacle) -> bool:
-        """False if forces on an obstacle hold to no depth, and it is known to be untouched."""
-        if one.depth > 0.0 or len(self.scenario.world.obstacles) == 1:
-            return True
-        met, path = self.obstacle_contacts, one.name.partition("]")[0] + "]"
-        return not met or any(contact.obstacle.startswith(path) for contact in met)
+            return deep_contact(self, thin)
+        pierced = [one for one in thin if one.is_pierced(depth)]
+        return pierced[0].warning(depth) if pierced else ""
 
     def _comes_near(self, shape: ShapeSettings) -> bool:
         """True if the vehicle comes near a shape, or no trajectory tells."""
@@ -245,9 +240,7 @@ class FlightResult(FlightMeasures):
         lines = [f"Flight {self.scenario.name!r}: {self.outcome.word} ({self.message})"]
         shown = self.readable_measures()
         width = max(len(line.name) for line in shown)
-        left = self.measures.get("separation_time")
-        rebound = self.measures.get("restitution_at_separation")
-        note = restitution_note(rebound, self.columns, left)
+        note = restitution_note(self.measures, self.columns)
         whys = {
             "restitution_at_separation": f"; {note}" if note else "",
             "peak_acceleration": self._later_peak(),
@@ -335,6 +328,7 @@ class FlightResult(FlightMeasures):
 
         known = MEASURES | (RECOVERY_MEASURES if "runs" in self.measures else {})
         contacts = [one._asdict() for one in self.obstacle_contacts]
+        warned = [*self.remarks.values()]
         return {
             "springback": __version__,
             "name": self.scenario.name,
@@ -344,6 +338,7 @@ class FlightResult(FlightMeasures):
             "units": {name: unit for name, (unit, _) in known.items()},
             "scenario": self.scenario.model_dump(mode="json"),
             **({"obstacle_contacts": contacts} if self.columns else {}),
+            **({"warnings": warned} if warned else {}),
             **self._own_obstacles(),
             **({} if self.second is None else {"second": self.second.verdict()}),
         }

@@ -93,15 +93,20 @@ def _check_fit(path: Path, overrides: Sequence[str], terminal: Terminal) -> None
 
 # -- scenarios and plans --------------------------------------------------------------------------
 
+_CHECKING = (
+    "checking; code of your own is compiled first, and grids of new meshes and maps are made"
+)
+
 
 def _check_scenario(path: Path, overrides: Sequence[str], terminal: Terminal) -> None:
     from springback.results.flight import ready_flight
     from springback.scenario.files import as_input, read_scenario
 
-    scenario = read_scenario(path, overrides)
-    with as_input(path, overrides):
-        ready_flight(scenario)  # code of the user's own that cannot be used is refused
-    numbers, warnings = _findings(scenario)
+    with terminal.spinner(_CHECKING):
+        scenario = read_scenario(path, overrides)
+        with as_input(path, overrides):
+            ready_flight(scenario)  # code of the user's own that cannot be used is refused
+        numbers, warnings = _findings(scenario)
     data = {"kind": "scenario", "derived": numbers, "warnings": warnings}
     terminal.print(data, "\n".join(_lines(numbers)))
     _conclude(f"{path} can be flown", warnings, terminal)
@@ -114,7 +119,8 @@ def _check_vehicle(path: Path, overrides: Sequence[str], terminal: Terminal) -> 
 
     overrides = [f"vehicle.{word}" for word in overrides]
     given = apply_overrides({"vehicle": str(path.absolute())}, overrides)
-    numbers, warnings = _findings(checked_scenario(given, str(path), "", overrides))
+    with terminal.spinner(_CHECKING):
+        numbers, warnings = _findings(checked_scenario(given, str(path), "", overrides))
     data = {"kind": "vehicle", "derived": numbers, "warnings": warnings}
     terminal.print(data, "\n".join(_lines(numbers)))
     _conclude(f'{path} can be flown: vehicle = "{path.name}" in a scenario', warnings, terminal)

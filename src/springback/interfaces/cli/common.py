@@ -23,7 +23,7 @@ from springback.interfaces.output.progress_lines import ProgressLines
 Command = Callable[..., None]
 FIRST = (
     "flying; a new kind of flight is compiled first, for 10 s (with a pilot for 20 s to a "
-    "minute, with moving obstacles for up to two)"
+    "minute, with moving obstacles for up to two, with a second vehicle up to four)"
 )
 """Label of the spinner while a flight is flown."""
 PATIENCE = 1.0

@@ -219,6 +219,7 @@ def _scene(
     robot = flight.scenario.vehicle.name
     propulsion = flight.scenario.vehicle.propulsion
     named = flight.summary()["units"]
+    doubts = () if flight.own_contacts else _doubts(flight, loads, places)
     return Scene(
         label=label or robot_label(robot),
         scenario=flight.scenario.name,
@@ -246,7 +247,7 @@ def _scene(
         measures=dict(flight.measures),
         units={name: named[name] for name in flight.measures if name in named},
         departure=departure(c, count, places),
-        notes=things.notes + (() if flight.own_contacts else _doubts(flight, loads, places)),
+        notes=(*flight.remarks.values(), *things.notes, *doubts),
         touched=_touched(flight),
         neighbours=neighbour_shapes(model.airframe),
         bends=_bends(c, count, places),

@@ -11,38 +11,55 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 
 #: Parts that are listed one by one (chosen).
 LISTED = 5
+#: Share of the speed along the normal below which a touch is told to graze (chosen).
+GRAZING = 0.1
+_SPEEDS = ("vx", "vy", "vz")
 #: Normal forces below this are not yet contact [N] (chosen: steps land on touches).
 AT_TOUCH = 1e-6
 
 
-def restitution_note(
-    restitution: float | None, columns: Mapping[str, Array], separation: float | None
-) -> str:
+def restitution_note(measures: Mapping[str, float | None], columns: Mapping[str, Array]) -> str:
     """Explanation of ``restitution_at_separation`` if it is not within 0 to 1, else empty.
 
     The first impact joins all contacts less than ``simulation.dwell`` apart, and its speeds are
     along the normal of the first.  With another normal, or with energy of its spin, its rotors or
-    an obstacle in motion, a vehicle may leave faster along that normal than it came.
+    an obstacle in motion, a vehicle may leave faster along that normal than it came; so may one
+    that only grazed it.
 
     Args:
-        restitution: The measure.
+        measures: Of the flight.
         columns: Of the trajectory, by which contacts are told; may be empty.
-        separation: Instant of the last separation of the first impact [s].
     """
+    restitution, left = (
+        measures.get("restitution_at_separation"), measures.get("separation_time"),
+    )  # fmt: skip
     if restitution is None or 0.0 <= restitution <= 1.0:
         return ""
     if restitution < 0.0:
         return "below 0: it left past what it hit"
     gains = "spin, rotors and what moves may add to it"
-    begins = _contacts_until(columns, separation) if separation is not None else []
+    begins = _contacts_until(columns, left) if left is not None else []
     if len(begins) < 2:
-        return f"above 1: it left faster along the normal of its first touch than it came; {gains}"
+        grazed = _grazed(measures, columns)
+        return (
+            f"above 1: it left faster along the normal of its first touch than it came{grazed}; "
+            f"{gains}"
+        )
     names = list(dict.fromkeys(name for _, name in sorted(begins)))
     what = f" ({', '.join(names)})" if len(names) <= LISTED else ""
     return (
         f"above 1: {len(begins)} contacts{what} are one impact, measured along the normal of the "
-        f"first; {gains}"
+        f"first{_grazed(measures, columns)}; {gains}"
     )
+
+
+def _grazed(measures: Mapping[str, float | None], columns: Mapping[str, Array]) -> str:
+    """Words for a first touch that was almost along the surface, else empty."""
+    inward, when = measures.get("touch_speed"), measures.get("touch_time")
+    if inward is None or when is None or "vx" not in columns:
+        return ""
+    speed = float(np.linalg.norm([np.interp(when, columns["t"], columns[v]) for v in _SPEEDS]))
+    return f", which it grazed: {inward:.2g} of {speed:.2g} m/s" if inward < GRAZING * speed else ""
 
 
 def _contacts_until(columns: Mapping[str, Array], end: float) -> list[tuple[float, str]]:

@@ -24,6 +24,7 @@ class ContactSpan(NamedTuple):
     begin: float  # instant of the touch [s]
     end: float  # instant of the separation [s]
     first: int  # row of the first instant with a force
+    last: int  # of the last one
     hardest: int  # row of the largest normal force
     hardest_time: float  # its instant [s]
     force: float  # the largest normal force [N]
@@ -87,4 +88,4 @@ def contact_spans(flight: FlightResult) -> Iterator[ContactSpan]:
         for first, last, begin, end in spans(flight, normal + c[f"ff{part}"] > AT_TOUCH):
             hardest = first + int(np.argmax(normal[first : last + 1]))
             when, force = float(c["t"][hardest]), float(normal[hardest])
-            yield ContactSpan(number, arm, begin, end, first, hardest, when, force)
+            yield ContactSpan(number, arm, begin, end, first, last, hardest, when, force)

@@ -66,6 +66,9 @@ def first_claimed(claims: list[tuple[Outcome, Any]], otherwise: Outcome) -> list
 #: Outcomes of a flight without a pilot that are no success.
 FAILURES = (Outcome.BROKEN, Outcome.HIT_GROUND, Outcome.ARM_BOTTOMED, Outcome.NOT_FINITE)
 
+#: Slowest touch that has a restitution [m/s] (chosen).
+SLOWEST = 0.01
+
 #: Unit and meaning of each measure.  Those of the first impact are from its first touch until the
 #: arms have settled, the others of the whole flight.
 MEASURES = {
@@ -176,9 +179,13 @@ def _time(value: Array) -> Array:
 
 
 def _ratio(speed: Array, touch_speed: Array, happened: Array) -> Array:
-    """Speed out of the obstacle over that at touch; negative if it still moves on into it."""
+    """Speed out of the obstacle over that at touch; negative if it still moves on into it.
+
+    NaN where the touch was slower than `SLOWEST`: what moves a vehicle later is no rebound.
+    """
+    fast: Any = np.abs(touch_speed) >= SLOWEST
     with np.errstate(divide="ignore", invalid="ignore"):
-        return where(happened & (touch_speed != 0.0), -speed / np.abs(touch_speed))
+        return where(happened & fast, -speed / np.abs(touch_speed))
 
 
 def _body_contacts(record: Any) -> Array:

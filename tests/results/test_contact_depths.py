@@ -1,0 +1,112 @@
+"""Contacts that came deeper than forces hold where they were, edges of meshes, grazing touches."""
+
+from __future__ import annotations
+
+import re
+import warnings
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from builders.forms import beside, box_triangles, stl_bytes
+from springback.errors import ContactWarning
+from springback.results.flight import Flight, fly
+from springback.simulation.measuring.measures import SLOWEST
+
+#: The rim of a table top of 40 mm, met by a level ring at 2 m/s: 12.6 mm deep.
+TOP = {"position": [2.4, 0.0, 1.0], "surface": "wall"}
+SIZE = (0.8, 0.6, 0.04)
+BOX = {"type": "box", "size": list(SIZE), **TOP}
+
+
+def at_a_rim(obstacles: list[dict[str, Any]], aside: float = 0.0) -> tuple[Flight, list[str]]:
+    """Flight into an obstacle, above its middle [m], and what is said of its contacts."""
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        flight = fly(
+            {
+                "vehicle": "arq", "thrust": "hover", "world": {"obstacles": obstacles},
+                "start": {
+                    "position": [1.2, 0.0, 1.0 + aside], "velocity": [2.0, 0.0, 0.0],
+                    "touch_distance": 0.01,
+                },
+                "simulation": {"duration": 0.12},
+            }
+        )  # fmt: skip
+    return flight, [str(one.message) for one in caught if one.category is ContactWarning]
+
+
+Sides = tuple[float, float, float]
+
+
+def mesh(path: Path, *boxes: tuple[Sides, Sides]) -> dict[str, Any]:
+    """Mesh of boxes, each of a size, about a place [m]."""
+    path.write_bytes(stl_bytes(beside(*((box_triangles(*size), at) for size, at in boxes))))
+    return {"type": "mesh", "file": str(path), "cell": 0.005, **TOP}
+
+
+def test_beside_an_edge_a_mesh_says_by_how_much_its_forces_are_too_weak(tmp_path: Path) -> None:
+    """A third, 10 mm off the middle; at the middle 4 %, of which it says nothing."""
+    top = mesh(tmp_path / "top.stl", (SIZE, (0.0, 0.0, 0.0)))
+    middle, silent = at_a_rim([top])
+    aside, said = at_a_rim([top], 0.01)
+    box, of_box = at_a_rim([BOX], 0.01)
+    assert (silent, of_box) == ([], [])
+    [sentence] = said
+    found = re.search(r"where two sides of world.obstacles\[0\], a mesh .* some (\d+) %", sentence)
+    assert found is not None, sentence
+    peaks = [one.measures["impact_peak_acceleration"] for one in (middle, aside, box)]
+    assert peaks[0] == pytest.approx(259.0, rel=0.06)
+    assert peaks[2] == pytest.approx(259.0, rel=0.03)
+    assert 1.0 - (peaks[1] or 0.0) / (peaks[2] or 1.0) >= 0.01 * int(found[1])
+
+
+def test_what_is_doubtful_is_in_the_summary(tmp_path: Path) -> None:
+    """As `springback fly` prints it, and only then."""
+    top = mesh(tmp_path / "top.stl", (SIZE, (0.0, 0.0, 0.0)))
+    doubtful, said = at_a_rim([top], 0.01)
+    warned = doubtful.summary()["warnings"]
+    assert [f"flight: {one}" for one in warned] == said
+    assert "warnings" not in at_a_rim([BOX])[0].summary()
+
+
+#: A plate of 20 mm out of reach, and in the way.
+PLATE, AWAY, AHEAD = (0.02, 0.5, 0.5), (0.5, 0.0, 0.0), (-0.41, 0.0, 0.0)
+
+
+@pytest.mark.parametrize(("place", "told"), [(AWAY, False), (AHEAD, True)])
+def test_a_thin_part_is_told_of_where_it_is_touched(
+    tmp_path: Path, place: Sides, told: bool
+) -> None:
+    """In a mesh and a union: a thick block is hit as deep as the middle of the plate is."""
+    block = ((0.8, 0.6, 0.4), (0.0, 0.0, 0.0))
+    apart = (place[0] - (0.03 if told else 0.0), 0.0, 0.0)
+    of_mesh = mesh(tmp_path / "both.stl", block, (PLATE, apart)) | {"cell": 0.004}
+    shapes = [{"type": "box", "size": list(size), "position": list(at)}
+              for size, at in (block, (PLATE, apart))]  # fmt: skip
+    for obstacle in (of_mesh, {"type": "union", "shapes": shapes, **TOP}):
+        flight, said = at_a_rim([obstacle])
+        assert flight.measures["penetration"] == pytest.approx(0.0126, abs=4e-3)
+        assert bool(said) == told, said
+
+
+def test_a_touch_that_is_next_to_none_has_no_restitution() -> None:
+    """Of a ball that falls past a wall: what moves it later is no rebound; slower than that, none."""
+    flight, _ = at_a_rim([BOX])
+    measures = flight.measures | {
+        "restitution_at_separation": 4.0, "touch_speed": 0.1, "separation_time": None,
+    }  # fmt: skip
+    line = next(one for one in repr(replace(flight, measures=measures)).splitlines() if "4" in one)
+    assert "than it came, which it grazed: 0.1 of 2 m/s; spin" in line
+    still = {"position": [2.4 - 0.4 - 0.35, 0.0, 1.0], "velocity": [0.5 * SLOWEST, 0.0, 0.0]}
+    slow = fly(
+        {
+            "vehicle": "quad", "thrust": "hover", "world": {"obstacles": [BOX]},
+            "start": {**still, "touch_distance": 0.0}, "simulation": {"duration": 0.5},
+        }
+    )  # fmt: skip
+    assert slow.touch_time is not None
+    assert slow.separation_time is not None
+    assert slow.restitution_at_separation is None
