@@ -203,7 +203,7 @@ class FlightResult(FlightMeasures):
         named = thin_obstacles(named_obstacles(self.scenario.world.obstacles))
         thin = [one for one in named if one.is_doubtful(depth) and self._comes_near(one.shape)]
         if thin and self.columns:
-            from springback.results.contacts.depths import deep_contact
+            from springback.results.contacts.penetration import deep_contact
 
             return deep_contact(self, thin)
         pierced = [one for one in thin if one.is_pierced(depth)]
