@@ -326,7 +326,7 @@ def pair_flight(ready: Scenario, built: ReadyFlight, **options: Any) -> Flight:
     other = ready.beside()
     flown = fly_beside(ready, built, ready_flight(other), **options)
     first, second = map(_flight_of, (ready, other), flown)
-    return replace(first, second=replace(second, is_second=True))
+    return replace(first, second=replace(second, first=first))
 
 
 def _flight_of(

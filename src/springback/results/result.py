@@ -91,7 +91,7 @@ class ObstacleContact(NamedTuple):
     part: str
     """That it acts on."""
     place: tuple[float, float, float] | None
-    """Where it acts, world [m]; unknown for the second of two vehicles, touched by the first."""
+    """Where it acts, world [m]."""
 
     @property
     def text(self) -> str:
@@ -135,8 +135,8 @@ class FlightResult(FlightMeasures):
     """Their contacts in a flight that was read back: `springback.results.contacts.stored`."""
     second: FlightResult | None = None
     """Flight of the second vehicle, if the scenario has one: at the same instants."""
-    is_second: bool = False
-    """True for that flight itself, whose contacts with the first vehicle are known there."""
+    first: FlightResult | None = None
+    """Of the flight of a second vehicle: that of the first, which knows the contacts of both."""
 
     if not TYPE_CHECKING:  # for mypy a misspelt measure is an error
 
@@ -158,6 +158,11 @@ class FlightResult(FlightMeasures):
         if "runs" in self.measures and self.scenario.recovery is not None:
             return self.outcome is Outcome.RECOVERED
         return self.outcome not in (*FAILURES, Outcome.NOT_SETTLED)
+
+    @property
+    def is_second(self) -> bool:
+        """True for the flight of a second vehicle."""
+        return self.first is not None
 
     @property
     def is_piloted(self) -> bool:
@@ -334,7 +339,6 @@ class FlightResult(FlightMeasures):
         from springback.version import __version__
 
         known = MEASURES | (RECOVERY_MEASURES if "runs" in self.measures else {})
-        contacts = [one._asdict() for one in self.obstacle_contacts]
         return {
             "springback": __version__,
             "name": self.scenario.name,
@@ -343,14 +347,24 @@ class FlightResult(FlightMeasures):
             "measures": self.measures,
             "units": {name: unit for name, (unit, _) in known.items()},
             "scenario": self.scenario.model_dump(mode="json"),
-            **({"obstacle_contacts": contacts} if self.columns else {}),
+            **self._contacts(),
             **self._own_obstacles(),
             **({} if self.second is None else {"second": self.second.verdict()}),
         }
 
     def verdict(self) -> dict[str, Any]:
-        """Outcome and measures as plain data."""
-        return {"outcome": self.outcome.word, "message": self.message, "measures": self.measures}
+        """Outcome, measures and touched obstacles as plain data."""
+        return {
+            "outcome": self.outcome.word,
+            "message": self.message,
+            "measures": self.measures,
+            **self._contacts(),
+        }
+
+    def _contacts(self) -> dict[str, Any]:
+        """Touched obstacles, if there is a trajectory that tells."""
+        contacts = [one._asdict() for one in self.obstacle_contacts]
+        return {"obstacle_contacts": contacts} if self.columns else {}
 
     def _own_obstacles(self) -> dict[str, Any]:
         """Surfaces of the user's own obstacles near the flight, if any."""
