@@ -20,6 +20,7 @@ from springback.kernels.vectors import Vec
 from springback.results.contacts.places import ObstacleContact, contact_places
 from springback.results.contacts.spans import contact_spans
 from springback.results.flight import Flight
+from springback.results.pair.contacts import loads_on_first
 
 #: Of the poles [m].
 RADIUS = 0.05
@@ -166,20 +167,21 @@ def test_a_second_vehicle_tells_a_wall_and_the_first_apart() -> None:
 
 
 def test_touch_speed_of_a_pair_is_that_of_both_along_the_normal() -> None:
-    """A glancing meeting: the force of the first instants shows the normal."""
-    flight = springback.fly(two())
-    second = flight.second
-    assert second is not None
-    for one, other in ((flight, second), (second, flight)):
-        assert one.touch_time is not None
-        row = int(np.searchsorted(one.t, one.touch_time))
-        last = row + 8
-        change = [one.columns[f"v{a}"][last] - one.columns[f"v{a}"][row] for a in "xyz"]
-        away = np.array(change) / np.linalg.norm(change)
-        v, w = ([x.columns[f"v{a}"][row] for a in "xyz"] for x in (one, other))
-        along = -away @ (np.array(v) - np.array(w))
-        assert one.touch_speed == pytest.approx(along, rel=0.05)
-        assert abs(-away @ np.array(v) - along) > 0.3 * along  # its own alone is another
+    """Two glancing meetings: the force without friction shows the normal."""
+    for y in (0.22, 0.35):
+        flight = springback.fly(two(vehicle(0.6, -1.0, yaw=2.6, y=y)))
+        second = flight.second
+        assert second is not None
+        assert flight.touch_time is not None
+        row = int(np.searchsorted(flight.t, flight.touch_time))
+        given = flight.scenario, flight.columns, second.columns, np.arange(row, row + 2)
+        loads = loads_on_first(*given)
+        push = loads.force[-1].sum(axis=0) - loads.rubbing[-1].sum(axis=0)
+        into = -push / np.linalg.norm(push)
+        v, w = (np.array([one.columns[f"v{a}"][row] for a in "xyz"]) for one in (flight, second))
+        assert into @ (v - w) < 0.99 * np.linalg.norm(v - w)  # glancing
+        assert flight.touch_speed == pytest.approx(into @ (v - w), rel=1e-3)
+        assert second.touch_speed == pytest.approx(into @ (v - w), rel=1e-3)
 
 
 def test_a_flight_without_contact_touched_nothing() -> None:
