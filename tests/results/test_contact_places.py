@@ -14,6 +14,7 @@ import pytest
 import springback
 from builders.cases import nonempty
 from builders.pairs import two, vehicle
+from builders.world_files import sdf, sdf_model
 from springback.contact.obstacles import Plane
 from springback.contact.parameters import SurfaceSettings
 from springback.kernels.vectors import Vec
@@ -166,6 +167,19 @@ def test_a_second_vehicle_tells_a_wall_and_the_first_apart() -> None:
     assert RADIUS - DEEPEST < math.hypot(mast[0] - 1.0, mast[1]) < RADIUS
 
 
+def test_a_pair_flies_in_an_imported_world(tmp_path: Path) -> None:
+    """It ended with an error of Python."""
+    crate = sdf_model("crate", "<box><size>0.2 1 1</size></box>", "0.6 0 0 0 0 0")
+    (tmp_path / "hall.sdf").write_text(sdf(crate))
+    given = two(vehicle(0.0, 0.0, y=2.0), simulation={"duration": 0.2})
+    hall = {"type": "import", "file": str(tmp_path / "hall.sdf"), "surface": "wall", "name": "hall"}
+    given["world"] = {"gravity": 0.0, "obstacles": [hall]}
+    found = only(springback.fly(given))
+    assert found.obstacle.startswith("world.obstacles[0], hall/crate/")
+    assert found.place is not None
+    assert 0.5 <= found.place[0] < 0.5 + DEEPEST
+
+
 def test_touch_speed_of_a_pair_is_that_of_both_along_the_normal() -> None:
     """Two glancing meetings: the force without friction shows the normal."""
     for y in (0.22, 0.35):
@@ -180,8 +194,8 @@ def test_touch_speed_of_a_pair_is_that_of_both_along_the_normal() -> None:
         into = -push / np.linalg.norm(push)
         v, w = (np.array([one.columns[f"v{a}"][row] for a in "xyz"]) for one in (flight, second))
         assert into @ (v - w) < 0.99 * np.linalg.norm(v - w)  # glancing
-        assert flight.touch_speed == pytest.approx(into @ (v - w), rel=1e-3)
-        assert second.touch_speed == pytest.approx(into @ (v - w), rel=1e-3)
+        assert flight.touch_speed == pytest.approx(into @ (v - w), rel=5e-3)
+        assert second.touch_speed == pytest.approx(into @ (v - w), rel=5e-3)
 
 
 def test_a_flight_without_contact_touched_nothing() -> None:
@@ -207,7 +221,7 @@ def test_every_obstacle_is_told_by_its_name() -> None:
     flight = springback.fly(thrown(wall, floor, duration=0.6, **falling))
     assert only(flight).obstacle == "world.obstacles[1], the gym's floor"
     [event] = [event for event in flight.events if event.kind == "ground"]
-    assert event.text.startswith("cage 1 and cage 2")
+    assert event.text == "the main body touches the ground"
 
 
 def test_a_wall_by_the_name_of_the_ground_is_not_the_ground() -> None:

@@ -397,7 +397,8 @@ def check_second(first: ScenarioTables, second: ScenarioTables) -> None:
         second: That of the second vehicle alone.
     """
     for k, entry in enumerate(first.world.obstacles):
-        _check_beside(f"world.obstacles[{k}]", entry)
+        for single in single_obstacles([entry]):
+            _check_beside(f"world.obstacles[{k}]", single)
     for path, one in (("", first), ("second.", second)):
         for k, hull in enumerate(one.vehicle.hulls):
             if path and hull.type == "points":
