@@ -83,6 +83,16 @@ _KINDS = {
 }
 
 
+#: What types are for that some tables of a key do not take.
+_WITH_AN_END = (
+    "an obstacle with an end: box, edge, sphere, capsule, cone, hoop, window, doorway, stairs, "
+    "union, net, or pole with a height"
+)
+_ELSEWHERE = {
+    ("motion", word): f"{word} is a motion of {_WITH_AN_END}"
+    for word in ("free", "pendulum", "hinge")
+}
+
 #: Index of an entry of a list.
 _INDEX = re.compile(r"[0-9]{1,6}")
 
@@ -123,7 +133,10 @@ def problem_paths(error: ValidationError) -> list[tuple[tuple[str | int, ...], s
         elif detail["type"] == "union_tag_invalid":
             tag = detail["ctx"]["tag"]
             here = tuple(re.findall(r"'([^']*)'", detail["ctx"]["expected_tags"]))
-            said = f"must be {_choice(here)} (got {shown_value(tag)}){_meant(tag, here)}"
+            holder = next((key for key in reversed(path) if isinstance(key, str)), "")
+            elsewhere = _ELSEWHERE.get((holder, tag))
+            hint = _meant(tag, here) if elsewhere is None else f"; {elsewhere}"
+            said = f"must be {_choice(here)} (got {shown_value(tag)}){hint}"
             path, message = (*path, "type"), said
         elif detail["type"] == "literal_error":
             given, known = detail["input"], re.findall(r"'([^']*)'", detail["ctx"]["expected"])

@@ -12,7 +12,7 @@ from click.testing import CliRunner
 from builders.cases import nonempty
 from springback.batch.scenarios import fly_scenarios
 from springback.campaign.design.layout import lay_out
-from springback.campaign.design.plan import Plan, plan_from
+from springback.campaign.design.plan import Plan, plan_from, read_plan
 from springback.campaign.running import run_campaign
 from springback.errors import InputError
 from springback.interfaces.cli.app import cli
@@ -60,6 +60,61 @@ def test_stored_and_read_again_it_is_the_same() -> None:
     again = Plan.model_validate_json(first.canonical())
     assert again == first
     assert again.digest() == first.digest()
+
+
+ENTRIES = """\
+method = "random"
+samples = 8
+[scenario]
+vehicle = "quad"
+start = { velocity = [2, 0, 0], position = [0, 0, 1], touch_distance = 0.001 }
+[[scenario.world.obstacles]]
+type = "wall"
+distance = 1
+surface = { preset = "wall"SPEED }
+[[vary]]
+field = "surface"
+material = "drywall"
+[[vary]]
+field = "FIELD"
+from = "1 m/s"
+to = "3 m/s"
+[[vary]]
+field = "start.velocity.0"
+from = "1 m/s"
+to = "2 m/s"
+"""
+
+
+@pytest.mark.parametrize(
+    ("field", "speed", "words"),
+    [
+        ("speed", ', restitution_speed = "2 m/s"', r":14: vary\[1\]\.field: 'speed' needs"),
+        (
+            "start.velocity[0]",
+            ', restitution_speed = "2 m/s"',
+            r":18: vary\[2\]\.field: is varied by entry 2 already",
+        ),
+        ("start.velocity.1", "", r":12: vary\[0\]\.material: .*restitution_speed: is missing"),
+    ],
+)
+def test_problems_name_entries_as_they_are_written(
+    field: str, speed: str, words: str, tmp_path: Path
+) -> None:
+    """A material is two fields: the second entry was the third, without a line."""
+    text = ENTRIES.replace("FIELD", field).replace("SPEED", speed)
+    (tmp_path / "plan.toml").write_text(text)
+    with pytest.raises(InputError, match=rf"plan\.toml{words}"):
+        lay_out(*read_plan(tmp_path / "plan.toml"))
+
+
+def test_a_table_that_is_not_given_is_not_added_by_what_varies() -> None:
+    """A plan of a throw was warned that its control is not used."""
+    surface = {"field": "surface", "material": "drywall"}
+    [base] = lay_out(plan_from(plan(surface))).bases
+    assert base.keys() == {*SCENARIO}
+    [base] = lay_out(plan_from(plan(surface, scatter={"mass": 0.05}))).bases
+    assert base.keys() == {*SCENARIO, "model_error"}
 
 
 @pytest.mark.parametrize("speed", [{}, {"restitution_speed": "2 m/s"}], ids=["without", "with"])

@@ -140,6 +140,7 @@ def test_levels_and_logarithms_have_their_own_cells(tmp_path: Path) -> None:
     assert len(marginal(told, "pitch").robots["arq"]) == 3
     assert scale(told, "surface", 9).labels == ("wall", "mat")
     assert scale(told, "friction", 9).labels == ()
+    assert scale(told, "world.obstacles[0].surface.friction", 9).name == "friction"
     yaw = scale(told, "yaw", 9)  # in order, however listed
     assert yaw.edges == pytest.approx((math.radians(22.5), math.radians(45.0)))
     for name in ("speed", "pitch", "friction"):

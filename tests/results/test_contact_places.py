@@ -2,21 +2,26 @@
 
 from __future__ import annotations
 
+import json
 import math
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 import springback
 from builders.cases import nonempty
-from builders.pairs import two
+from builders.pairs import two, vehicle
+from builders.world_files import sdf, sdf_model
 from springback.contact.obstacles import Plane
 from springback.contact.parameters import SurfaceSettings
 from springback.kernels.vectors import Vec
-from springback.results.contacts.places import ObstacleContact
+from springback.results.contacts.places import ObstacleContact, contact_places
+from springback.results.contacts.spans import contact_spans
 from springback.results.flight import Flight
+from springback.results.pair.contacts import loads_on_first
 
 #: Of the poles [m].
 RADIUS = 0.05
@@ -117,10 +122,10 @@ def test_what_touches_the_ground_is_named() -> None:
     """A sphere that has no cages of its own was said to touch with one."""
     ground = {"type": "ground", "surface": "wall"}
     cases = ("caged-sphere", 0.0, "the main body touches"), ("arq", 0.9, "cage 2 and cage 3 touch")
-    for vehicle, roll, parts in cases:
+    for robot, roll, parts in cases:
         falling = {"position": [0.0, 0.0, 0.5], "velocity": [0.0, 0.0, -1.0], "roll": roll}
         given = thrown(ground, duration=0.6, **falling)
-        flight = springback.fly(given | {"vehicle": vehicle})
+        flight = springback.fly(given | {"vehicle": robot})
         [event] = [event for event in flight.events if event.kind == "ground"]
         assert event.text == f"{parts} the ground"
 
@@ -133,11 +138,64 @@ def test_two_vehicles_name_each_other(tmp_path: Path) -> None:
     assert second.obstacle == "the first vehicle"
     assert first.force == pytest.approx(second.force, rel=1e-3)
     assert first.place is not None
-    assert second.place is None
+    assert second.place == pytest.approx(first.place, abs=1e-3)  # the points of one step
+    assert second.time == pytest.approx(first.time, abs=1e-3)
     flight.save(tmp_path / "results", figures=False)
     again = springback.load(tmp_path / "results")
+    assert again.second is not None
     for one in nonempty(again.obstacle_contacts):
         assert one == first
+    assert only(again.second) == second
+    summary = json.loads((tmp_path / "results/summary.json").read_text())
+    [told] = summary["second"]["obstacle_contacts"]
+    assert told["obstacle"] == "the first vehicle"
+    assert told["place"] == list(second.place or ())
+
+
+def test_a_second_vehicle_tells_a_wall_and_the_first_apart() -> None:
+    """It flies off backwards after the meeting, and into a pole with a name."""
+    given = two(vehicle(0.62, 0.0), simulation={"duration": 0.5})
+    given["world"] = {"gravity": 0.0, "obstacles": [pole(1.0, 0.0, name="the mast")]}
+    flight = springback.fly(given)
+    assert flight.second is not None
+    names = [one.obstacle for one in flight.second.obstacle_contacts]
+    assert names == ["the first vehicle", "world.obstacles[0], the mast"]
+    for one in nonempty(flight.second.obstacle_contacts):
+        assert one.place is not None
+    mast = flight.second.obstacle_contacts[1].place
+    assert mast is not None
+    assert RADIUS - DEEPEST < math.hypot(mast[0] - 1.0, mast[1]) < RADIUS
+
+
+def test_a_pair_flies_in_an_imported_world(tmp_path: Path) -> None:
+    """It ended with an error of Python."""
+    crate = sdf_model("crate", "<box><size>0.2 1 1</size></box>", "0.6 0 0 0 0 0")
+    (tmp_path / "hall.sdf").write_text(sdf(crate))
+    given = two(vehicle(0.0, 0.0, y=2.0), simulation={"duration": 0.2})
+    hall = {"type": "import", "file": str(tmp_path / "hall.sdf"), "surface": "wall", "name": "hall"}
+    given["world"] = {"gravity": 0.0, "obstacles": [hall]}
+    found = only(springback.fly(given))
+    assert found.obstacle.startswith("world.obstacles[0], hall/crate/")
+    assert found.place is not None
+    assert 0.5 <= found.place[0] < 0.5 + DEEPEST
+
+
+def test_touch_speed_of_a_pair_is_that_of_both_along_the_normal() -> None:
+    """Two glancing meetings: the force without friction shows the normal."""
+    for y in (0.22, 0.35):
+        flight = springback.fly(two(vehicle(0.6, -1.0, yaw=2.6, y=y)))
+        second = flight.second
+        assert second is not None
+        assert flight.touch_time is not None
+        row = int(np.searchsorted(flight.t, flight.touch_time))
+        given = flight.scenario, flight.columns, second.columns, np.arange(row, row + 2)
+        loads = loads_on_first(*given)
+        push = loads.force[-1].sum(axis=0) - loads.rubbing[-1].sum(axis=0)
+        into = -push / np.linalg.norm(push)
+        v, w = (np.array([one.columns[f"v{a}"][row] for a in "xyz"]) for one in (flight, second))
+        assert into @ (v - w) < 0.99 * np.linalg.norm(v - w)  # glancing
+        assert flight.touch_speed == pytest.approx(into @ (v - w), rel=5e-3)
+        assert second.touch_speed == pytest.approx(into @ (v - w), rel=5e-3)
 
 
 def test_a_flight_without_contact_touched_nothing() -> None:
@@ -150,3 +208,26 @@ def test_a_union_is_told_by_its_name() -> None:
     assert only(springback.fly(thrown(union))).obstacle == "world.obstacles[0], a union"
     named = only(springback.fly(thrown({**union, "name": "the table"})))
     assert named.obstacle == "world.obstacles[0], the table"
+
+
+def test_every_obstacle_is_told_by_its_name() -> None:
+    """Of a pole, of planes alone, and of what moves; a ground of any name is the ground."""
+    motion = {"type": "constant", "velocity": [-1.0, 0.0, 0.0]}
+    flight = springback.fly(thrown(pole(0.2, 0.9), pole(0.6, 0.0, name="the ball", motion=motion)))
+    assert only(flight).obstacle == "world.obstacles[1], the ball"
+    floor = {"type": "ground", "surface": "wall", "name": "the gym's floor"}
+    wall = {"type": "wall", "distance": 9.0, "surface": "wall", "name": "a wall, the ground"}
+    falling = {"position": [0.0, 0.0, 0.5], "velocity": [0.0, 0.0, -1.0]}
+    flight = springback.fly(thrown(wall, floor, duration=0.6, **falling))
+    assert only(flight).obstacle == "world.obstacles[1], the gym's floor"
+    [event] = [event for event in flight.events if event.kind == "ground"]
+    assert event.text == "the main body touches the ground"
+
+
+def test_a_wall_by_the_name_of_the_ground_is_not_the_ground() -> None:
+    wall = {"type": "wall", "distance": 0.4, "surface": "wall", "name": "the ground"}
+    flight = springback.fly(thrown(wall))
+    spans = list(contact_spans(flight))
+    for place in nonempty(contact_places(flight, spans)):
+        assert place is not None
+        assert not place.is_ground

@@ -192,7 +192,7 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
         PLACE, "position = [2.6, 0, 1]", "start.position", ("inside world.obstacles[0], a wall", "2.6"),
     ),
     "start under the ground": (
-        PLACE, "position = [2, 0, -1]", "start.position", ("inside world.obstacles[1], a ground",),
+        PLACE, "position = [2, 0, -1]", "start.position", ("inside world.obstacles[1], the ground",),
     ),
     "two coordinates": (PLACE, "position = [2.2, 0]", "start.position", ("three numbers in m",)),
     "NaN position": (PLACE, "position = [2.2, nan, 1]", "start.position", ("finite", "nan m")),

@@ -225,5 +225,6 @@ def test_a_free_obstacle_may_lie_on_the_ground_not_in_it() -> None:
 def test_the_motion_of_a_wall_is_refused_with_those_that_it_can_have() -> None:
     wall = {"type": "wall", "distance": 2.0, "surface": "wall", "motion": {"type": "free"}}
     given = beside_a_free_box(0.1) | {"world": {"obstacles": [wall]}}
-    with pytest.raises(InputError, match=r"type: must be constant, sine or table \(got 'free'\)$"):
+    said = r"type: must be constant, sine or table \(got 'free'\); free is a motion of an obstacle"
+    with pytest.raises(InputError, match=said):
         scenario_from(given)

@@ -319,7 +319,7 @@ WRONG: dict[str, tuple[dict[str, Any], str]] = {
         {"type": "pendulum", "mass": 1.0, "pivot": [0.5, 0.0, 0.0]}, "must not be the centre of mass"
     ),
     "times that go back": (
-        {"type": "table", "time": [0.0, 2.0, 1.0], "angle": [0.0, 0.0, 0.0]}, "must increase"
+        {"type": "table", "time": [0.0, 2.0, 1.0], "angle": [0.0, 0.0, 0.0]}, "must be more than 2 s"
     ),
     "a place too few": (
         {"type": "table", "time": [0.0, 1.0], "position": [[0.0, 0.0, 0.0]]}, "2 instants"
@@ -369,5 +369,5 @@ def test_impulses_and_motion_are_not_combined() -> None:
     """The impulse law of surfaces knows nothing of moving obstacles, and says so."""
     law = {"law": "impulse", "restitution": 0.5}
     moving = {**thrown(), "surface": law}
-    with pytest.raises(Exception, match="law impulse"):
+    with pytest.raises(Exception, match=r"surface\.law: must not be impulse"):
         scenario_from(tables(moving))

@@ -23,9 +23,10 @@ from springback.kernels.layout import Buffer, row_of, rows, structure
 from springback.kernels.routines import tables_held
 from springback.progress import Progress, silent, stage
 from springback.recovery.evaluator import EvaluatorMemory
-from springback.results.flight import check_user_code, fly_built, guided_result, pair_flight
+from springback.results.flight import check_user_code, fly_built, pair_flight
 from springback.results.recovery_measures import (
     RECOVERY_MEASURES,
+    guided_result,
     recovery_columns,
     recovery_outcomes,
 )

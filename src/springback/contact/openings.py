@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from typing import Literal
 
 import numpy as np
@@ -36,15 +37,17 @@ class WallOpening(AttitudeShape):
         x, y, z = self.axes()
         return np.array([y, z, x])
 
-    def _halves(self, frame: float) -> tuple[float, float, float]:
-        """Half width, height and thickness before the edges are rounded.
+    @abstractmethod
+    def frame(self) -> float:
+        """Width of the wall beside the opening, where it is narrowest [m]."""
 
-        Args:
-            frame: Width of the wall beside the opening, where it is narrowest [m].
-        """
-        edge = self.edge_radius
-        self.check_edge(edge, min(frame, self.thickness))
-        width, height = self.size
+    def thinnest(self) -> float:
+        """Thickness of the wall, or width of its frame [m]."""
+        return min(self.frame(), self.thickness)
+
+    def _halves(self) -> tuple[float, float, float]:
+        """Half width, height and thickness before the edges are rounded."""
+        edge, (width, height) = self.edge_radius, self.size
         return 0.5 * width - edge, 0.5 * height - edge, 0.5 * self.thickness - edge
 
 
@@ -83,18 +86,23 @@ class Window(WallOpening):
             )
         return self
 
+    def frame(self) -> float:
+        """Width of the wall beside the opening, where it is narrowest [m]."""
+        width, height = self.size
+        if self.opening is None:
+            return 0.5 * min(width, height) - (self.opening_radius or 0.0)
+        w, h = self.opening
+        return min(0.5 * (width - w), 0.5 * (height - h) - abs(self.opening_height))
+
     def bodies(self) -> list[SolidShape]:
         """Its solids."""
-        (width, height), edge = self.size, self.edge_radius
+        edge, halves = self.edge_radius, self._halves()
         centre, axes = np.array(self.position), self._panel_axes()
         if self.opening is not None:
             w, h = self.opening
-            above = 0.5 * (height - h) - abs(self.opening_height)
-            halves = self._halves(min(0.5 * (width - w), above))
             hole = (0.5 * w + edge, 0.5 * h + edge, self.opening_height)
             return [SolidShape(WINDOW, centre, axes, (*halves, *hole), edge)]
-        radius = self.opening_radius or 0.0
-        halves, radius = self._halves(0.5 * min(width, height) - radius), radius + edge
+        radius = (self.opening_radius or 0.0) + edge
         return [SolidShape(ROUND_WINDOW, centre, axes, (*halves, radius), edge)]
 
 
@@ -118,10 +126,15 @@ class Doorway(WallOpening):
             )
         return self
 
+    def frame(self) -> float:
+        """Width of the wall beside the opening, where it is narrowest [m]."""
+        (w, h), (width, height) = self.opening, self.size
+        return min(0.5 * (width - w), height - h)
+
     def bodies(self) -> list[SolidShape]:
         """Its solids."""
-        axes, (w, h), (width, height) = self._panel_axes(), self.opening, self.size
-        halves, edge = self._halves(min(0.5 * (width - w), height - h)), self.edge_radius
+        axes, (w, h), height = self._panel_axes(), self.opening, self.size[1]
+        halves, edge = self._halves(), self.edge_radius
         centre = np.array(self.position) + 0.5 * height * axes[1]
         # The opening goes on below the floor, so far that its own end is never the nearest.
         top = -0.5 * height + h + edge

@@ -17,7 +17,7 @@ from springback.contact.surfaces import (
 from springback.kernels.tracing import hypot, sqrt  # for batch set-up
 from springback.kernels.vectors import Vec
 from springback.quantities import Factor, Length, Speed, Triple, Unit
-from springback.settings import Settings, problem
+from springback.settings import Name, Settings, problem
 from springback.vehicle.force_laws import REMEMBERING, HystereticSettings, shape_of
 
 #: Types of obstacles that are planes.
@@ -180,6 +180,8 @@ UPRIGHT = 1e-3
 class PlaneSettings(Settings):
     """A plane obstacle: a point of its face and the direction it faces."""
 
+    name: Name = ""
+    """For messages and drawings."""
     distance: Annotated[float, Unit("m")] | None = None
     """Short for a wall across the X axis at this distance from the origin, facing the origin."""
     position: Annotated[Triple, Unit("m")] | None = None
@@ -224,6 +226,8 @@ class Ground(Settings):
     """The ground, level at some height; touching it is an outcome."""
 
     type: Literal["ground"]
+    name: Name = ""
+    """For messages and drawings."""
     height: Annotated[float, Unit("m")] = 0.0
     surface: SurfaceSettings
 

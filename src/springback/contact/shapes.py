@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from abc import abstractmethod
 from collections.abc import Sequence
-from typing import Annotated, Any, Literal, NamedTuple
+from typing import Annotated, Any, Literal, NamedTuple, Self
 
 import numpy as np
 from pydantic import Field, model_validator
@@ -25,7 +25,7 @@ from springback.contact.scene.table import ENDLESS, Solid
 from springback.frames import attitude_from_euler
 from springback.kernels.vectors import Quat, rotation
 from springback.quantities import Angle, Length, Pair, Triple, Unit
-from springback.settings import Settings, problem
+from springback.settings import Name, Settings, problem
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -92,8 +92,25 @@ def distance_around(body: SolidShape, points: Array) -> Array:
 class ShapeSettings(Settings):
     """What all built-in shapes have."""
 
+    name: Name = ""
+    """For messages and drawings."""
     motion: MotionSettings | None = None
     """How it moves; it is at rest unless it is given."""
+
+    @model_validator(mode="after")
+    def _edges_fit(self) -> Self:
+        """Reject edges rounded by more than half of what they round."""
+        edge, thinnest = getattr(self, "edge_radius", 0.0), self.thinnest()
+        if thinnest > 0.0 and edge > 0.5 * thinnest:
+            raise problem(
+                f"must be at most {0.5 * thinnest:g} m, half of the thinnest part (got {edge:g} m)",
+                "edge_radius",
+            )
+        return self
+
+    def thinnest(self) -> float:
+        """Thickness of the thinnest part that has edges [m]; infinite without any."""
+        return math.inf
 
     @abstractmethod
     def bodies(self) -> list[SolidShape]:
@@ -114,14 +131,6 @@ class ShapeSettings(Settings):
         """Its solids, each with its surface."""
         law = self.law()
         return [SolidPart(body, law) for body in self.bodies()]
-
-    def check_edge(self, edge: float, thinnest: float) -> None:
-        """Reject edges rounded by more than half of what they round."""
-        if edge > 0.5 * thinnest:
-            raise problem(
-                f"must be at most {0.5 * thinnest:g} m, half of the thinnest part (got {edge:g} m)",
-                "edge_radius",
-            )
 
 
 class SurfacedShape(ShapeSettings):
@@ -185,10 +194,13 @@ class Box(AttitudeShape):
     edge_radius: NotNegative = EDGE
     """Radius of its edges, within its size."""
 
+    def thinnest(self) -> float:
+        """Its shortest side [m]."""
+        return min(self.size)
+
     def bodies(self) -> list[SolidShape]:
         """Its solids."""
         edge = self.edge_radius
-        self.check_edge(edge, min(self.size))
         half = tuple(0.5 * length - edge for length in self.size)
         return [SolidShape(BOX, np.array(self.position), self.axes(), half, edge)]
 
@@ -205,10 +217,13 @@ class Edge(AttitudeShape):
     """Of both faces; the edge points along the shape's own −x."""
     edge_radius: NotNegative = EDGE
 
+    def thinnest(self) -> float:
+        """Width of a face, or its length [m]."""
+        return min(self.width, self.length)
+
     def bodies(self) -> list[SolidShape]:
         """Its solids."""
         edge, w, axes = self.edge_radius, self.width, self.axes()
-        self.check_edge(edge, min(w, self.length))
         x, y, z = axes
         root = math.sqrt(0.5)
         turned = np.array([root * (x + y), root * (y - x), z])
@@ -242,12 +257,15 @@ class Pole(AxisShape):
     edge_radius: NotNegative = EDGE
     """Of the edges of its flat ends."""
 
+    def thinnest(self) -> float:
+        """Its height or diameter [m]."""
+        return math.inf if self.height is None else min(self.height, 2.0 * self.radius)
+
     def bodies(self) -> list[SolidShape]:
         """Its solids."""
         foot, axes, edge = np.array(self.position), axes_along(self.axis), self.edge_radius
         if self.height is None:
             return [SolidShape(CAPSULE, foot, axes, (ENDLESS, self.radius), 0.0)]
-        self.check_edge(edge, min(self.height, 2.0 * self.radius))
         centre, r = foot + 0.5 * self.height * axes[2], self.radius - edge
         return [SolidShape(FRUSTUM, centre, axes, (r, r, 0.5 * self.height - edge), edge)]
 
@@ -283,12 +301,22 @@ class Cone(AxisShape):
     edge_radius: NotNegative = EDGE
     """Of its edges and tip, within its size."""
 
-    def bodies(self) -> list[SolidShape]:
-        """Its solids."""
-        axes, edge = axes_along(self.axis), self.edge_radius
-        base, top, height = self.radius, self.top_radius, self.height
-        self.check_edge(edge, min(height, 2.0 * max(base, top)))
-        # The outline is moved inwards by the radius; it is then rounded outwards again.
+    def thinnest(self) -> float:
+        """Its height or larger diameter [m]."""
+        return min(self.height, 2.0 * max(self.radius, self.top_radius))
+
+    @model_validator(mode="after")
+    def _outline_fits(self) -> Cone:
+        self._inner_outline()
+        return self
+
+    def _inner_outline(self) -> tuple[float, float, float, float]:
+        """Outline moved inwards by the radius of the edges, which rounds it outwards again.
+
+        Returns:
+            Heights of its base and top above the base, and its radii there [m].
+        """
+        edge, base, top, height = self.edge_radius, self.radius, self.top_radius, self.height
         slant = math.hypot(height, base - top)
         low, high = edge, height - edge
         inner_low = base + (top - base) * low / height - edge * slant / height
@@ -298,9 +326,14 @@ class Cone(AxisShape):
             inner_high = 0.0
         if not (inner_low >= 0.0 and high > low):
             raise problem(f"is too large for this cone (got {edge:g} m)", "edge_radius")
-        centre = np.array(self.position) + 0.5 * (low + high) * axes[2]
+        return low, high, inner_low, inner_high
+
+    def bodies(self) -> list[SolidShape]:
+        """Its solids."""
+        axes, (low, high, *radii) = axes_along(self.axis), self._inner_outline()
+        centre, sizes = 0.5 * (low + high) * axes[2], (*radii, 0.5 * (high - low))
         return [
-            SolidShape(FRUSTUM, centre, axes, (inner_low, inner_high, 0.5 * (high - low)), edge)
+            SolidShape(FRUSTUM, np.array(self.position) + centre, axes, sizes, self.edge_radius)
         ]
 
 
@@ -365,10 +398,13 @@ class Stairs(SurfacedShape):
     width: Length = 1.0
     edge_radius: NotNegative = EDGE
 
+    def thinnest(self) -> float:
+        """Its rise, tread or width [m]."""
+        return min(self.rise, self.tread, self.width)
+
     def bodies(self) -> list[SolidShape]:
         """Its solids."""
         edge = self.edge_radius
-        self.check_edge(edge, min(self.rise, self.tread, self.width))
         c, s = math.cos(self.yaw), math.sin(self.yaw)
         axes = np.array([[c, s, 0.0], [-s, c, 0.0], [0.0, 0.0, 1.0]])
         end, found = self.steps * self.tread, []

@@ -29,7 +29,8 @@ from springback.contact.shapes import (
     SolidShape,
     Stairs,
 )
-from springback.settings import Name, problem
+from springback.errors import shown_value
+from springback.settings import problem
 
 #: Most shapes of a union (chosen: as of a world).
 MOST_SHAPES = 10_000
@@ -44,8 +45,6 @@ class ShapeUnion(AttitudeSettings, ShapeSettings):
     """Several shapes as one obstacle; what is nearest of them is met."""
 
     type: Literal["union"]
-    name: Name = ""
-    """For messages and drawings."""
     position: Place = (0.0, 0.0, 0.0)
     """Of the whole: places and angles of its shapes are in its own axes."""
     surface: SurfaceSettings | None = None
@@ -68,13 +67,20 @@ class ShapeUnion(AttitudeSettings, ShapeSettings):
     def _has_shapes(self) -> ShapeUnion:
         if not 0 < len(self.shapes) <= MOST_SHAPES:
             raise problem(f"must be 1 to {MOST_SHAPES} (got {len(self.shapes)})", "shapes")
-        moving = [k for k, shape in enumerate(self.shapes) if shape.motion is not None]
-        if moving:
-            raise problem(
-                "cannot be given: the shapes of a union move together; give it to the union, or "
-                "make the shape an obstacle of its own",
-                f"shapes[{moving[0]}].motion",
-            )
+        for k, shape in enumerate(self.shapes):
+            if shape.motion is not None:
+                raise problem(
+                    "cannot be given: the shapes of a union move together; give it to the union, "
+                    "or make the shape an obstacle of its own",
+                    f"shapes[{k}].motion",
+                )
+            if shape.name:
+                raise problem(
+                    "cannot be given: contacts are with the union as a whole; give it to the "
+                    "union, or make the shape an obstacle of its own (got "
+                    f"{shown_value(shape.name)})",
+                    f"shapes[{k}].name",
+                )
         return self
 
     def law(self) -> SurfaceSettings:

@@ -120,10 +120,15 @@ def _moving_scene(
 ) -> MovingScene:
     """World in which some obstacles move; ``hulls``: a hull that meets them has a memory."""
     still = _scene([entry for entry in settings if not _moves(entry)], own)
-    if any(_is_impulsive(entry) for entry in settings):
-        raise problem(
-            "hold a surface of law impulse, which cannot be combined with motion", "world.obstacles"
-        )
+    moves = next(k for k, entry in zip(numbers, settings, strict=True) if _moves(entry))
+    for k, entry in zip(numbers, settings, strict=True):
+        for key, law in laws_by_key(entry):
+            if law.law == "impulse":
+                raise problem(
+                    "must not be impulse in a world where an obstacle moves, as "
+                    f"world.obstacles[{moves}] does: use a law of force, such as hunt-crossley",
+                    f"world.obstacles[{k}].{key}.law",
+                )
     free = any(isinstance(getattr(entry, "motion", None), FreeMotion) for entry in settings)
     for k, entry in zip(numbers, settings, strict=True):
         for law in surfaces_of(entry) if free and not _moves(entry) else ():
@@ -145,15 +150,22 @@ def _moving_scene(
     return moving_scene(still, moving)
 
 
-def _is_impulsive(entry: BuiltIn) -> bool:
-    return any(surface.law == "impulse" for surface in surfaces_of(entry))
-
-
 def surfaces_of(entry: BuiltIn) -> list[SurfaceSettings]:
     """Surfaces of an obstacle."""
+    return [law for _, law in laws_by_key(entry)]
+
+
+def laws_by_key(entry: BuiltIn) -> list[tuple[str, SurfaceSettings]]:
+    """Surfaces of an obstacle, each with its key in the obstacle's table."""
+    if isinstance(entry, ShapeUnion):
+        laws = [shape.law() for shape in entry.shapes]
+        keys = ["surface" if law == entry.surface else "" for law in laws]
+        keys = [key or f"shapes[{k}].surface" for k, key in enumerate(keys)]
+        return list(zip(keys, laws, strict=True))
     if isinstance(entry, ShapeSettings):
-        return [part.surface for part in entry.parts()]
-    return [entry.surface, entry.backing] if isinstance(entry, Mat) else [entry.surface]
+        return [("surface", entry.law())]
+    behind = [("backing", entry.backing)] if isinstance(entry, Mat) else []
+    return [("surface", entry.surface), *behind]
 
 
 def _parts_of(entry: Wall | ShapeSettings) -> list[SolidPart]:

@@ -122,7 +122,7 @@ def _contacts(flight: FlightResult, met: _Met) -> list[Event]:
             sentence += f", {along:.2f} m/s of it along the normal (touch_speed)"
         there = next((place for one, place in met if one.end > begin), None)
         sentence += "" if there is None else f", on {there.obstacle}"
-        place = (None, None) if there is None else there
+        place = (None, None) if there is None else there[:2]
         found.append(Event(begin, "touch", f"touch{which}", sentence, None, speed, *place))
         if end < c["t"][-1] or not felt[-1]:
             sentence = f"separates after {1e3 * (end - begin):.1f} ms"
@@ -221,7 +221,7 @@ def _parts(flight: FlightResult, met: _Met) -> Iterator[Event]:
     for one, there in met:
         what = "" if there is None else f" {there.obstacle},"
         sentence = f"{one.name} touches{what} up to {one.force:.0f} N"
-        label, place = f"{one.name} on", (None, None) if there is None else there
+        label, place = f"{one.name} on", (None, None) if there is None else there[:2]
         yield Event(one.begin, "contact", label, sentence, one.arm, float(speed[one.first]), *place)
         sentence = f"{one.name} separates after {1e3 * (one.end - one.begin):.1f} ms"
         label, lasts = f"{one.name} off", one.end - one.begin

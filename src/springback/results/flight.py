@@ -11,21 +11,19 @@ from typing import TYPE_CHECKING, Any, get_args
 
 import numpy as np
 
+from springback.contact.thin_obstacles import ThinObstacle
 from springback.contact.worlds import Own
 from springback.errors import InputError
 from springback.recovery.detection import CollisionInputs
 from springback.results.columns import telemetry_columns, trajectory_columns, work_columns
 from springback.results.contacts.distances import gaps
 from springback.results.contacts.places import obstacle_contacts
+from springback.results.contacts.thin_contacts import deep_contact
 from springback.results.events import Event, events_of
 from springback.results.hooks import NotebookPage, hook
 from springback.results.motion import columns_at, sensor_readings, specific_force_at
 from springback.results.pair.flying import fly_beside
-from springback.results.recovery_measures import (
-    is_evaluated,
-    recovery_measures,
-    recovery_outcome,
-)
+from springback.results.recovery_measures import guided_result
 from springback.results.result import FlightResult, ObstacleContact
 from springback.scenario.avionics import CompiledEstimator, CompiledPilot
 from springback.scenario.build import ReadyFlight, user_parts
@@ -42,7 +40,7 @@ from springback.scenario.user.pilots import (
 from springback.scenario.user.sensing import check_detector, check_estimator
 from springback.simulation.flight import Executor, FlightRecord, fly_one, own_types
 from springback.simulation.guided import GuidedFlight, GuidedFlown, fly_guided, ticks_of
-from springback.simulation.measuring.measures import Outcome, measures_of, outcome_of
+from springback.simulation.measuring.measures import measures_of, outcome_of
 from springback.simulation.noise import noise_table
 from springback.simulation.onboard import Avionics
 from springback.simulation.thrusts import ThrustTable
@@ -75,6 +73,10 @@ class Flight(FlightResult):
     def obstacle_contacts(self) -> tuple[ObstacleContact, ...]:
         """Obstacles that it touched, in order, each with its hardest contact."""
         return obstacle_contacts(self) if self.columns else ()
+
+    def _deep(self, thin: Sequence[ThinObstacle]) -> str:
+        """Warning of the first one whose forces do not hold where it was touched; else empty."""
+        return deep_contact(self, thin) if self.columns else super()._deep(thin)
 
     @property
     def broken_parts(self) -> tuple[str, ...]:
@@ -326,7 +328,7 @@ def pair_flight(ready: Scenario, built: ReadyFlight, **options: Any) -> Flight:
     other = ready.beside()
     flown = fly_beside(ready, built, ready_flight(other), **options)
     first, second = map(_flight_of, (ready, other), flown)
-    return replace(first, second=replace(second, is_second=True))
+    return replace(first, second=replace(second, first=first))
 
 
 def _flight_of(
@@ -448,13 +450,6 @@ def first_inputs(avionics: Avionics) -> CollisionInputs:
     airframe, memory = avionics.systems.pilot.cascade.airframe, avionics.onboard.pilot
     at, wrench = memory.flight.estimate, memory.wrench
     return CollisionInputs(airframe, avionics.onboard.measurement, at, wrench)
-
-
-def guided_result(guided: GuidedFlown) -> tuple[Outcome, dict[str, float | None]]:
-    """Outcome and measures of a flight with a pilot."""
-    if not is_evaluated(guided):
-        return outcome_of(guided.flown.record), measures_of(guided.flown)
-    return recovery_outcome(guided), measures_of(guided.flown) | recovery_measures(guided)
 
 
 def _check_executor(executor: str) -> None:

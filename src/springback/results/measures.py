@@ -22,7 +22,7 @@ class FlightMeasures:
     touch_time: float | None
     """first touch [s]"""
     touch_speed: float | None
-    """speed of the main body into the obstacle at first touch [m/s]"""
+    """speed of the main body into the obstacle at first touch, relative to it [m/s]"""
     separation_time: float | None
     """last separation of the first impact [s]"""
     return_time: float | None

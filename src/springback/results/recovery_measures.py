@@ -19,6 +19,8 @@ from springback.simulation.measuring.columns import Array, as_columns
 from springback.simulation.measuring.measures import (
     Outcome,
     first_claimed,
+    measures_of,
+    outcome_of,
     outcomes_of,
     scalars_of,
     where,
@@ -167,3 +169,10 @@ def _collision_columns(record: Any, seen: Any, memory: Any) -> dict[str, Array]:
 def recovery_measures(guided: GuidedFlown) -> dict[str, float | None]:
     """Measures of a recovery, in the order of `RECOVERY_MEASURES`."""
     return scalars_of(recovery_columns(*_columns(guided)))
+
+
+def guided_result(guided: GuidedFlown) -> tuple[Outcome, dict[str, float | None]]:
+    """Outcome and measures of a flight with a pilot."""
+    if not is_evaluated(guided):
+        return outcome_of(guided.flown.record), measures_of(guided.flown)
+    return recovery_outcome(guided), measures_of(guided.flown) | recovery_measures(guided)

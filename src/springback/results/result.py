@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -10,7 +11,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 
 from springback.contact.shapes import ShapeSettings, distance_around
-from springback.contact.thin_obstacles import thin_obstacles
+from springback.contact.thin_obstacles import ThinObstacle, thin_obstacles
 from springback.contact.worlds import Own
 from springback.errors import (
     CommandWarning,
@@ -92,7 +93,7 @@ class ObstacleContact(NamedTuple):
     part: str
     """That it acts on."""
     place: tuple[float, float, float] | None
-    """Where it acts, world [m]; unknown for the second of two vehicles, touched by the first."""
+    """Where it acts, world [m]."""
 
     @property
     def text(self) -> str:
@@ -136,8 +137,8 @@ class FlightResult(FlightMeasures):
     """Their contacts in a flight that was read back: `springback.results.contacts.stored`."""
     second: FlightResult | None = None
     """Flight of the second vehicle, if the scenario has one: at the same instants."""
-    is_second: bool = False
-    """True for that flight itself, whose contacts with the first vehicle are known there."""
+    first: FlightResult | None = None
+    """Of the flight of a second vehicle: that of the first, which knows the contacts of both."""
 
     if not TYPE_CHECKING:  # for mypy a misspelt measure is an error
 
@@ -161,6 +162,11 @@ class FlightResult(FlightMeasures):
         return self.outcome not in (*FAILURES, Outcome.NOT_SETTLED)
 
     @property
+    def is_second(self) -> bool:
+        """True for the flight of a second vehicle."""
+        return self.first is not None
+
+    @property
     def is_piloted(self) -> bool:
         """True if a pilot flew it, and its telemetry was recorded."""
         return "command1" in self.telemetry
@@ -181,7 +187,7 @@ class FlightResult(FlightMeasures):
                 f"the energy ledger leaves {share} of the energy: the "
                 "numbers cannot be trusted; try a smaller simulation.impact_step"
             )
-        if deep := self._deep():
+        if deep := self._deep(self._doubtful()):
             found[ContactWarning] = deep
         if (crossed := overlapping_cages(self.scenario.vehicle, self.columns)) is not None:
             found[OverlapWarning] = crossed
@@ -197,15 +203,15 @@ class FlightResult(FlightMeasures):
             )
         return found
 
-    def _deep(self) -> str:
-        """Warning of an obstacle on the way whose forces do not hold to the depth; else empty."""
+    def _doubtful(self) -> list[ThinObstacle]:
+        """Obstacles on the way whose forces may not hold to the depth of a contact."""
         depth = self.measures.get("penetration") or 0.0
         named = thin_obstacles(named_obstacles(self.scenario.world.obstacles))
-        thin = [one for one in named if one.is_doubtful(depth) and self._comes_near(one.shape)]
-        if thin and self.columns:
-            from springback.results.contacts.penetration import deep_contact
+        return [one for one in named if one.is_doubtful(depth) and self._comes_near(one.shape)]
 
-            return deep_contact(self, thin)
+    def _deep(self, thin: Sequence[ThinObstacle]) -> str:
+        """Warning of the first one that the deepest contact may have pierced; else empty."""
+        depth = self.measures.get("penetration") or 0.0
         pierced = [one for one in thin if one.is_pierced(depth)]
         return pierced[0].warning(depth) if pierced else ""
 
@@ -327,7 +333,6 @@ class FlightResult(FlightMeasures):
         from springback.version import __version__
 
         known = MEASURES | (RECOVERY_MEASURES if "runs" in self.measures else {})
-        contacts = [one._asdict() for one in self.obstacle_contacts]
         warned = [*self.remarks.values()]
         return {
             "springback": __version__,
@@ -337,15 +342,25 @@ class FlightResult(FlightMeasures):
             "measures": self.measures,
             "units": {name: unit for name, (unit, _) in known.items()},
             "scenario": self.scenario.model_dump(mode="json"),
-            **({"obstacle_contacts": contacts} if self.columns else {}),
+            **self._contacts(),
             **({"warnings": warned} if warned else {}),
             **self._own_obstacles(),
             **({} if self.second is None else {"second": self.second.verdict()}),
         }
 
     def verdict(self) -> dict[str, Any]:
-        """Outcome and measures as plain data."""
-        return {"outcome": self.outcome.word, "message": self.message, "measures": self.measures}
+        """Outcome, measures and touched obstacles as plain data."""
+        return {
+            "outcome": self.outcome.word,
+            "message": self.message,
+            "measures": self.measures,
+            **self._contacts(),
+        }
+
+    def _contacts(self) -> dict[str, Any]:
+        """Touched obstacles, if there is a trajectory that tells."""
+        contacts = [one._asdict() for one in self.obstacle_contacts]
+        return {"obstacle_contacts": contacts} if self.columns else {}
 
     def _own_obstacles(self) -> dict[str, Any]:
         """Surfaces of the user's own obstacles near the flight, if any."""

@@ -74,7 +74,7 @@ def load(folder: str | Path) -> Flight:
         raise InputError(
             f"{folder / SECOND}trajectory.parquet: column t: must be that of trajectory.parquet"
         )
-    return replace(flight, second=replace(second, is_second=True))
+    return replace(flight, second=replace(second, first=flight))
 
 
 def _check_files(folder: Path, files: Mapping[str, Any]) -> None:

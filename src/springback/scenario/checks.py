@@ -45,7 +45,7 @@ from springback.scenario.tables import (
     UserShape,
 )
 from springback.scenario.worlds.free_starts import check_free_starts
-from springback.scenario.worlds.imported import Imported, single_obstacles
+from springback.scenario.worlds.imported import named_obstacles, single_obstacles
 from springback.scenario.worlds.mesh_check import check_meshes, size_words
 from springback.sensing.parameters import SensorSettings
 from springback.settings import problem
@@ -345,13 +345,8 @@ def _one_by_one(scenario: ScenarioTables, model: Model, state: State) -> Iterato
 
 def _named(scenario: ScenarioTables) -> Iterator[tuple[str, Any]]:
     """Obstacles one by one, each in words: its place in the scenario, its name and type."""
-    for k, entry in enumerate(scenario.world.obstacles):
-        if isinstance(entry, Imported):
-            for part in entry.parts:
-                what = f"a {part.obstacle.type}{size_words(part.obstacle)}"
-                yield f"world.obstacles[{k}], {part.name}, {what}", part.obstacle
-        else:
-            yield f"world.obstacles[{k}], a {entry.type}{size_words(entry)}", entry
+    for name, one in named_obstacles(scenario.world.obstacles):
+        yield f"{name}{size_words(one)}", one
 
 
 def _is_far(one: Any, place: Vec, reach: float) -> bool:
@@ -402,7 +397,8 @@ def check_second(first: ScenarioTables, second: ScenarioTables) -> None:
         second: That of the second vehicle alone.
     """
     for k, entry in enumerate(first.world.obstacles):
-        _check_beside(f"world.obstacles[{k}]", entry)
+        for single in single_obstacles([entry]):
+            _check_beside(f"world.obstacles[{k}]", single)
     for path, one in (("", first), ("second.", second)):
         for k, hull in enumerate(one.vehicle.hulls):
             if path and hull.type == "points":

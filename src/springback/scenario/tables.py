@@ -39,6 +39,8 @@ class UserShape(Settings):
     """An obstacle of the user's own: a shape in a Python file, and its surface."""
 
     type: Literal["own"]
+    name: Name = ""
+    """For messages and drawings."""
     shape: CodeName
     """``FILE.py:NAME`` of a shape, or of its type or a function, called with ``parameters``."""
     parameters: Arguments = Field(default_factory=dict)

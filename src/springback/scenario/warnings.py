@@ -20,7 +20,7 @@ from springback.scenario.avionics import NominalVehicle, limits_of, nominal_vehi
 from springback.scenario.model import contact_point_of
 from springback.scenario.scenario import Scenario
 from springback.scenario.tables import ScenarioTables
-from springback.scenario.worlds.imported import Imported, single_obstacles
+from springback.scenario.worlds.imported import Imported, named_obstacles, single_obstacles
 from springback.scenario.worlds.mesh_check import mesh_warnings
 from springback.vehicle.parameters import Vehicle
 
@@ -63,13 +63,12 @@ def _curved(scenario: ScenarioTables) -> list[str]:
     """The paper's contact point on shapes that are not plane."""
     if scenario.model.contact_point != "paper":
         return []
-    for k, entry in enumerate(scenario.world.obstacles):
-        for one in single_obstacles([entry]):
-            if one.type not in FLAT:
-                return [
-                    "model.contact_point: the paper's contact point is made for planes; its work "
-                    f"is not exact on world.obstacles[{k}], a {one.type}"
-                ]
+    for name, one in named_obstacles(scenario.world.obstacles):
+        if one.type not in FLAT:
+            return [
+                "model.contact_point: the paper's contact point is made for planes; its work is "
+                f"not exact on {name}"
+            ]
     return []
 
 
@@ -227,9 +226,11 @@ def _unfelt_jumps(scenario: ScenarioTables) -> list[str]:
     for k, entry in enumerate(scenario.world.obstacles):
         for one in single_obstacles([entry]):
             if any(surface.law == "impulse" for surface in surfaces_of(one)):
+                called = f", {entry.name}" if entry.name else ""
                 return [
-                    f"world.obstacles[{k}]: its impulse law changes velocities at once and moves "
-                    "no arm, so that sensors of arms see nothing: a recovery begins late or never"
+                    f"world.obstacles[{k}]{called}: its impulse law changes velocities at once and "
+                    "moves no arm, so that sensors of arms see nothing: a recovery begins late or "
+                    "never"
                 ]
     return []
 

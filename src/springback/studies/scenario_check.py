@@ -106,7 +106,10 @@ def least_deceleration(scenario: ScenarioTables) -> float:
 def check_warnings(scenario: Scenario) -> list[str]:
     """Warnings for a scenario, one sentence each: those of a flight, and more."""
     own = scenario.pilot is not None
-    return [*scenario_warnings(scenario, own=own), *_vehicle_warnings(scenario)]
+    found = [*scenario_warnings(scenario, own=own), *_vehicle_warnings(scenario)]
+    if scenario.second is not None:
+        found += [f"second: {sentence}" for sentence in _vehicle_warnings(scenario.beside())]
+    return found
 
 
 # -- numbers --------------------------------------------------------------------------------------

@@ -28,6 +28,19 @@ def test_a_scenario_shows_numbers_and_warnings() -> None:
     assert "can be flown" in done.stderr
 
 
+def test_both_vehicles_of_a_pair_are_shown() -> None:
+    heavy = ("second.vehicle.body.mass=2 kg", "second.vehicle.body.inertia=[1, 1, 1]")
+    words = (str(EXAMPLES / "pair.toml"), *heavy)
+    data = json.loads(check(*words, "--json", "--quiet").stdout)
+    masses = [one["derived"][0]["value"] for one in (data, data["second"])]
+    assert masses[0] == pytest.approx(1.404)
+    assert masses[1] > 2.0
+    assert any(one.startswith("second: ") and "inertia" in one for one in data["warnings"])
+    shown = check(*words).stdout
+    assert shown.index("arq, the first vehicle:") < shown.index("arq, the second vehicle:")
+    assert shown.count("natural frequency") == 2
+
+
 def test_a_plan_shows_its_flights_and_the_numbers_of_each_robot() -> None:
     done = check(str(EXAMPLES / "campaign.toml"), "--json", "--quiet")
     data = json.loads(done.stdout)

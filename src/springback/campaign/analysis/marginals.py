@@ -13,6 +13,7 @@ from springback.campaign.access import Campaign
 from springback.campaign.analysis.statistics import ordered_values
 from springback.campaign.columns import FLIGHT, RESULT, SECOND_OUTCOME, known_columns
 from springback.campaign.design.distributions import LevelSet, NormalFactor
+from springback.campaign.design.targets import field_path
 from springback.errors import InputError
 from springback.intervals import IntervalEstimate, Values, quantile, share
 from springback.problems import nearest_name
@@ -67,13 +68,16 @@ def scale(campaign: Campaign, name: str, cells: int) -> Scale:
 
     Args:
         campaign: Campaign that varied it.
-        name: Name of its column.
+        name: Name of its column, or its field spelt in another way, as in a plan.
         cells: Number of cells if it has no levels.
 
     Raises:
         InputError: If it was not varied.
     """
     known = {one.column: one for one in campaign.design.dimensions}
+    if name not in known:
+        path = field_path(name)
+        name = next((column for column in known if field_path(column) == path), name)
     if name not in known:
         raise InputError(f"{name}: is not varied by this campaign; varied are {', '.join(known)}")
     one, column = known[name], identifier(name)

@@ -302,9 +302,9 @@ def worst_case_map(
         InputError: As there.
     """
     count = cells or _cell_count(campaign, CELLS_OF_TWO, 2)
-    if by[0] == by[1]:
-        raise InputError(f"{by[0]},{by[1]}: give two different fields")
     along, across = (scale(campaign, name, count) for name in by)
+    if along.name == across.name:
+        raise InputError(f"{by[0]},{by[1]}: give two different fields")
     whole = worst_case(campaign, along, limits, share=share)
     slices: dict[int, WorstCase] = {}
     for k in range(across.cells):
@@ -315,7 +315,7 @@ def worst_case_map(
         if cells_of:
             slices[k] = replace(whole, robots=cells_of, better={})
     others = tuple(name for name in whole.others if name != across.name)
-    better = _better(campaign, set(by), whole.limits, whole.robots)
+    better = _better(campaign, {along.name, across.name}, whole.limits, whole.robots)
     return WorstCaseMap(across, slices, replace(whole, others=others, better=better))
 
 

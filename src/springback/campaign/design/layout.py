@@ -308,10 +308,12 @@ def lay_out(plan: Plan, source: Source | None = None, *, tried: bool = True) -> 
     except InputError as error:
         blame(("scatter",), str(error))
     dimensions = [one.dimension for one in fields]
-    _check_columns(plan, found, joint, blame)
+    _check_columns(plan, found, joint, blame, where)
     if noise_stream or any(one.table == "world" for one in dimensions):
         world = in_numbers(bases[0], scenarios[0])
-        shared = {key: table for key, table in world.items() if key not in OF_A_ROBOT}
+        # What nothing scatters stays as it is: left out, its defaults are those of each robot.
+        needed = {*bases[0], "start", *(one.table for one in noise_stream)}
+        shared = {key: world[key] for key in world if key in needed and key not in OF_A_ROBOT}
         bases = tuple(
             shared | {key: base[key] for key in OF_A_ROBOT if key in base} for base in bases
         )
@@ -412,6 +414,7 @@ def _check_columns(
     found: Sequence[VariedField | None],
     joint: Sequence[VariedField],
     blame: Blame,
+    where: Source,
 ) -> None:
     """Reject fields given twice, and columns of the same name."""
     from springback.campaign.columns import known_columns
@@ -426,16 +429,17 @@ def _check_columns(
             one.dimension.column,
         )
         if field in fields:
-            blame(("vary", k, "field"), f"is varied by entry {fields[field] + 1} already")
+            there = where.entry(fields[field]) + 1
+            blame(("vary", k, "field"), f"is varied by entry {there} already")
         elif column.lower() in taken:
             what = f"{column!r} as a name of a column {taken[column.lower()]}; give another name"
             blame(("vary", k, "name" if entry.name else "field"), what)
         fields.setdefault(field, k)
-        taken.setdefault(column.lower(), f"is that of entry {k + 1}, too")
+        taken.setdefault(column.lower(), f"is that of entry {where.entry(k) + 1}, too")
     for one in joint:
         column = one.dimension.column
         if (*one.goal.path, False) in fields:
-            there = fields[(*one.goal.path, False)] + 1
+            there = where.entry(fields[(*one.goal.path, False)]) + 1
             blame(("posterior",), f"{column}: is varied by entry {there} of vary, too")
         elif column.lower() in taken:
             blame(("posterior",), f"{column!r} as a name of a column {taken[column.lower()]}")

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Annotated, Any, Literal
 
 from pydantic import Field, ValidationError
+from pydantic_core import PydanticCustomError
 
 from springback.errors import InputError, shown_value
 from springback.problems import dotted_path, nearest_name, problem_paths
@@ -24,6 +25,8 @@ from springback.vehicle.stiffness import (
 
 #: Keys of a field that a range of its own goes without.
 _BESIDE = ("field", "count", "step")
+#: Keys of entries whose fields are drawn from what is known.
+_KEYS = ("material", "guard")
 
 
 class GuardSettings(Settings):
@@ -131,10 +134,30 @@ def ranges_of(given: Any) -> list[Any]:
     Raises:
         The problem.
     """
-    for key, ranges in (("material", _of_material), ("guard", _of_guard)):
+    for key, ranges in zip(_KEYS, (_of_material, _of_guard), strict=True):
         if isinstance(given, dict) and key in given:
             return _drawn(given, key, ranges)
     return [given]
+
+
+def written_fields(given: Any) -> list[tuple[int, str]]:
+    """For each field of a raw plan after `ranges_of`: its entry's number, from 0, and its key.
+
+    Args:
+        given: The raw entries of ``vary``.
+
+    Returns:
+        The key is ``material`` or ``guard``, or empty for an entry with a range of its own; nothing
+        if an entry is wrong.
+    """
+    found: list[tuple[int, str]] = []
+    try:
+        for k, one in enumerate(given if isinstance(given, list | tuple) else ()):
+            key = next((key for key in _KEYS if isinstance(one, dict) and key in one), "")
+            found += [(k, key)] * len(ranges_of(one))
+    except PydanticCustomError:
+        return []
+    return found
 
 
 def _drawn(given: dict[str, Any], key: str, ranges: Callable[[Any], list[Any]]) -> list[Any]:

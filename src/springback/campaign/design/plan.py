@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field, ValidationError, ValidationInfo, model_validator
 
-from springback.campaign.design.materials import ranges_of
+from springback.campaign.design.materials import ranges_of, written_fields
 from springback.campaign.design.posterior import Posterior, existing_file, with_overlay
 from springback.errors import InputError, excerpt, shown_value
 from springback.problems import dotted_path, key_path, problem_paths
@@ -317,10 +317,20 @@ class Source:
     def __init__(self, name: str = "", text: str = "", overrides: Sequence[str] = ()) -> None:
         """Origin in a file with its text and overrides; none for a plan built in Python."""
         self.name, self.text, self.overrides = name, text, tuple(overrides)
+        #: Of each field of the plan, see `written_fields`; empty for a plan built in Python.
+        self.fields: list[tuple[int, str]] = []
+
+    def entry(self, field: int) -> int:
+        """Number of the entry of ``vary``, as it is written, that a field of the plan is from."""
+        return self.fields[field][0] if field < len(self.fields) else field
 
     def problem_line(self, path: Sequence[str | int], what: str) -> str:
-        """Problem in one line."""
+        """Problem in one line; the path is one of the plan, whose materials have been replaced."""
         keys = tuple("from" if key == FROM else key for key in path)
+        if keys[:1] == ("vary",) and isinstance(number := next(iter(keys[1:]), None), int):
+            drawn = self.fields[number][1] if number < len(self.fields) else ""
+            inner = keys[2:] if not drawn or keys[2:3] in (("field",), ("count",)) else (drawn,)
+            keys = ("vary", self.entry(number), *inner)
         said = f"{dotted_path(keys)}: {what}" if keys else what
         if not self.name:
             return said
@@ -382,7 +392,9 @@ def plan_from(given: dict[str, Any], source: Source | None = None) -> Plan:
     Raises:
         InputError: One line for each problem.
     """
-    problem_line = (source or Source()).problem_line
+    source = source or Source()
+    source.fields = written_fields(given.get("vary"))
+    problem_line = source.problem_line
     try:
         return Plan.model_validate(given)
     except ValidationError as error:

@@ -76,7 +76,10 @@ def moving_scene(still: SolidScene, moving: Sequence[MovingShape]) -> MovingScen
         The problem, with its key.
     """
     if len(moving) > MANY:
-        raise problem(f"hold {len(moving)} that move; the most is {MANY}", "world.obstacles")
+        raise problem(
+            f"must be left out: at most {MANY} obstacles can move (got {len(moving)})",
+            f"world.obstacles[{moving[MANY].obstacle}].motion",
+        )
     bodies = []
     for number, shape in enumerate(moving):
         with naming(f"world.obstacles[{shape.obstacle}].motion"):
@@ -105,8 +108,6 @@ def _absent(number: int) -> MovingBody:
 
 def _body(number: int, shape: MovingShape) -> MovingBody:
     motion = shape.motion
-    if any(surface.restitution >= 0.0 for surface in shape.surfaces):
-        raise problem("cannot be combined with a surface of law impulse")
     if isinstance(motion, FreeMotion | PendulumMotion | HingeMotion):
         body = _with_mass(shape)
     else:
@@ -200,7 +201,11 @@ def _with_mass(shape: MovingShape) -> MovingBody:
         )
     known = None if _is_endless(shape.solids) else mass_properties(shape.solids)
     if _is_endless(shape.solids):
-        raise problem("needs an obstacle with an end, whose mass is known", "type")
+        raise problem(
+            "must be constant, sine or table for an obstacle without an end, which has no mass "
+            f"(got {motion.type!r})",
+            "type",
+        )
     if known is None and motion.inertia is None:
         raise problem("is missing; that of this shape is not known", "inertia")
     origin = shape.solids[0].centre if known is None else known.centre

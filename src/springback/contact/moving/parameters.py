@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from typing import Annotated, Literal
 
@@ -79,8 +80,12 @@ class TableMotion(_GivenMotion):
 
     @model_validator(mode="after")
     def _fits(self) -> TableMotion:
-        if any(later <= before for before, later in zip(self.time, self.time[1:], strict=False)):
-            raise problem("must increase from instant to instant", "time")
+        for k, (before, later) in enumerate(itertools.pairwise(self.time), start=1):
+            if later <= before:
+                raise problem(
+                    f"must be more than {before:g} s, as instants increase (got {later:g} s)",
+                    f"time[{k}]",
+                )
         for name in ("position", "angle"):
             given = getattr(self, name)
             if given is not None and len(given) != len(self.time):

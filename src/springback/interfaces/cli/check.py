@@ -106,10 +106,9 @@ def _check_scenario(path: Path, overrides: Sequence[str], terminal: Terminal) ->
         scenario = read_scenario(path, overrides)
         with as_input(path, overrides):
             ready_flight(scenario)  # code of the user's own that cannot be used is refused
-        numbers, warnings = _findings(scenario)
-    data = {"kind": "scenario", "derived": numbers, "warnings": warnings}
-    terminal.print(data, "\n".join(_lines(numbers)))
-    _conclude(f"{path} can be flown", warnings, terminal)
+        told, lines = _findings(scenario)
+    terminal.print({"kind": "scenario", **told}, "\n".join(lines))
+    _conclude(f"{path} can be flown", told["warnings"], terminal)
 
 
 def _check_vehicle(path: Path, overrides: Sequence[str], terminal: Terminal) -> None:
@@ -120,17 +119,28 @@ def _check_vehicle(path: Path, overrides: Sequence[str], terminal: Terminal) -> 
     overrides = [f"vehicle.{word}" for word in overrides]
     given = apply_overrides({"vehicle": str(path.absolute())}, overrides)
     with terminal.spinner(_CHECKING):
-        numbers, warnings = _findings(checked_scenario(given, str(path), "", overrides))
-    data = {"kind": "vehicle", "derived": numbers, "warnings": warnings}
-    terminal.print(data, "\n".join(_lines(numbers)))
-    _conclude(f'{path} can be flown: vehicle = "{path.name}" in a scenario', warnings, terminal)
+        told, lines = _findings(checked_scenario(given, str(path), "", overrides))
+    terminal.print({"kind": "vehicle", **told}, "\n".join(lines))
+    sentence = f'{path} can be flown: vehicle = "{path.name}" in a scenario'
+    _conclude(sentence, told["warnings"], terminal)
 
 
-def _findings(scenario: Scenario) -> tuple[list[dict[str, Any]], list[str]]:
-    """Derived numbers of a scenario, and its warnings."""
+def _findings(scenario: Scenario) -> tuple[dict[str, Any], list[str]]:
+    """Derived numbers of a scenario, of both its vehicles, and its warnings; the numbers as text.
+
+    Those of a second vehicle are below ``second``.
+    """
     from springback.studies.scenario_check import check_warnings, derived_numbers
 
-    return [number._asdict() for number in derived_numbers(scenario)], check_warnings(scenario)
+    first = [number._asdict() for number in derived_numbers(scenario)]
+    told: dict[str, Any] = {"derived": first, "warnings": check_warnings(scenario)}
+    lines = _lines(first)
+    if scenario.second is not None:
+        second = [number._asdict() for number in derived_numbers(scenario.beside())]
+        told["second"] = {"derived": second}
+        lines = [f"{scenario.vehicle.name}, the first vehicle:", *lines, ""]
+        lines += [f"{scenario.second.vehicle.name}, the second vehicle:", *_lines(second)]
+    return told, lines
 
 
 def _lines(numbers: list[dict[str, Any]]) -> list[str]:
@@ -178,10 +188,10 @@ def _check_plan(path: Path, overrides: Sequence[str], terminal: Terminal) -> Non
     ]
     warnings = list[str]()
     for robot, base in zip(design.robots, design.bases, strict=True):
-        numbers, found = _findings(scenario_from(base))
-        data.setdefault("robots", {})[robot] = {"derived": numbers, "warnings": found}
-        text += ["", f"{robot}, without what varies:", *_lines(numbers)]
-        warnings += [f"{robot}: {warning}" for warning in found]
+        told, lines = _findings(scenario_from(base))
+        data.setdefault("robots", {})[robot] = told
+        text += ["", f"{robot}, without what varies:", *lines]
+        warnings += [f"{robot}: {warning}" for warning in told["warnings"]]
     warnings += unmet_limits(design)
     terminal.print(data, "\n".join(text))
     _conclude(f"{path} can be flown", warnings, terminal)

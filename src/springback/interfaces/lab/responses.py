@@ -149,7 +149,10 @@ def coarse_flight(flight: Flight) -> Flight:
     def thinned(one: Flight) -> Flight:
         return replace(one, columns={name: values[keep] for name, values in one.columns.items()})
 
-    return replace(thinned(flight), second=None if second is None else thinned(second))
+    coarse = replace(thinned(flight), second=None)
+    return replace(
+        coarse, second=None if second is None else replace(thinned(second), first=coarse)
+    )
 
 
 def _turning_points(flight: Flight) -> Any:

@@ -87,8 +87,10 @@ def untouched_flight(flight: Flight, own: bool = False) -> str:
     near = nearest_approach(flight, moving or solid)
     said, advice = "", _TO_CHANGE[own or s.reference is not None or s.pilot is not None]
     if near is not None:
+        name = entries[near.obstacle].name
+        called = f", {name}," if name else ""
         said = (
-            f"world.obstacles[{near.obstacle}] was nearest, {near.distance:.3g} m away at "
+            f"world.obstacles[{near.obstacle}]{called} was nearest, {near.distance:.3g} m away at "
             f"{near.time:.3g} s{', the end' if near.is_last else ''}; "
         )
     if moving:

@@ -7,6 +7,7 @@ evaluated in plain Python for the few instants that are asked for, and the obsta
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -15,7 +16,7 @@ from springback.contact.cage import moving_bodies
 from springback.contact.moving.bodies import ABSENT, CARRIED, body_pose
 from springback.contact.moving.scene import MovingScene
 from springback.contact.obstacles import Obstacle, signed_distance
-from springback.contact.parameters import faces
+from springback.contact.parameters import Ground, faces
 from springback.contact.scene.faces import SolidScene
 from springback.contact.scene.nearest import HALF_SPACES, HEADER, nearest_solid
 from springback.contact.scene.sections import FARTHEST
@@ -28,14 +29,19 @@ from springback.kernels.vectors import Vec
 from springback.results.contacts.history import model_of
 from springback.results.contacts.spans import ContactSpan, contact_spans, parts_of
 from springback.results.contacts.stored import stored_point
-from springback.results.pair.contacts import pair_view
+from springback.results.pair.contacts import PairView, pair_view
 from springback.results.result import FlightResult, ObstacleContact
 from springback.scenario.tables import UserShape
 from springback.scenario.user.obstacles import own_names
-from springback.scenario.worlds.imported import Imported
+from springback.scenario.worlds.imported import (
+    Imported,
+    obstacle_words,
+    part_words,
+    with_article,
+)
 from springback.simulation.flight import model_state
 from springback.simulation.measuring.record import Model
-from springback.simulation.playback import NO_FORCE, Instant, loads_at, states_at
+from springback.simulation.playback import NO_FORCE, FaceLoad, Instant, loads_at, states_at
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -44,20 +50,12 @@ Array = np.ndarray[Any, np.dtype[np.float64]]
 MOST = 300
 
 
-#: Word for an obstacle of that type.
-GROUND = "the ground"
-
-
 class ContactPlace(NamedTuple):
     """What a part touches at an instant."""
 
     obstacle: str  # such as "world.obstacles[0], a pole"
     point: tuple[float, float, float] | None  # world [m]; None: another vehicle, known by its force
-
-    @property
-    def is_ground(self) -> bool:
-        """True for a ground of the scenario."""
-        return self.obstacle.endswith(f", {GROUND}")
+    is_ground: bool = False  # True for a ground of the scenario
 
 
 class _Names(NamedTuple):
@@ -68,33 +66,35 @@ class _Names(NamedTuple):
     moving: dict[float, str]  # by their number
     own: list[str]  # of the user's own
     other: str  # of another vehicle
-
-
-def _kind(word: str) -> str:
-    article = "an" if word[0].lower() in "aeiou" and word != "union" else "a"
-    return GROUND if word == "ground" else f"{article} {word}"
+    grounds: set[str]  # those that are the ground
 
 
 def _names_of(flight: FlightResult) -> _Names:
     world, own = flight.scenario.world, flight.own
     kinds = [type(shape).__name__ for shape, _ in own] or [one.name for one in flight.own_surfaces]
     stems = [name.removesuffix(".shape") for name in own_names(world, kinds)]
-    of_own = [f"{stem}, {_kind(kind)}" for stem, kind in zip(stems, kinds, strict=True)]
+    given = [one.name for one in world.obstacles if isinstance(one, UserShape)]
+    given += [""] * (len(stems) - len(given))
+    of_own = [
+        f"{stem}, {name or with_article(kind)}"
+        for stem, name, kind in zip(stems, given, kinds, strict=True)
+    ]
     other = "the first vehicle" if flight.is_second else "the second vehicle"
-    found = _Names([], [], {}, of_own, other)
+    found = _Names([], [], {}, of_own, other, set())
     built_in = [k for k, one in enumerate(world.obstacles) if not isinstance(one, UserShape)]
     for number, k in enumerate(built_in):
         entry = world.obstacles[k]
-        name = f"world.obstacles[{k}], {getattr(entry, 'name', '') or _kind(entry.type)}"
+        name = obstacle_words(k, entry)
         if getattr(entry, "motion", None) is not None:
             found.moving[float(number)] = name
             continue
         each: list[tuple[str, BuiltIn]] = []
         if isinstance(entry, Imported):
-            each = [(f"world.obstacles[{k}], {one.name}", one.obstacle) for one in entry.parts]
+            each = [(part_words(k, entry, one), one.obstacle) for one in entry.parts]
         elif not isinstance(entry, UserShape):
             each = [(name, entry)]
         for name, one in each:
+            found.grounds.update([name] if isinstance(one, Ground) else [])
             found.at_rest.append(name)
             found.planes.extend([] if isinstance(one, ShapeSettings) else [name] * len(faces(one)))
     return found
@@ -145,30 +145,51 @@ class _Evaluation(NamedTuple):
     model: Model
     columns: Mapping[str, Array]
     names: _Names
-    beside: bool  # with another vehicle
+    view: PairView | None = None  # of the second of two vehicles: the first, which meets it
+    beside: bool = False  # with another vehicle
 
 
 def _evaluation(flight: FlightResult) -> _Evaluation:
-    model, columns = model_of(flight, ()), flight.columns
-    if flight.second is not None:
-        seen = pair_view(flight.scenario, flight.columns, flight.second.columns)
-        model, columns = seen.model, seen.columns
-    beside = flight.second is not None or flight.is_second
-    return _Evaluation(model, columns, _names_of(flight), beside)
+    names, first, second = _names_of(flight), flight.first, flight.second
+    if second is not None:
+        seen = pair_view(flight.scenario, flight.columns, second.columns)
+        return _Evaluation(seen.model, seen.columns, names, beside=True)
+    if first is not None:
+        seen = pair_view(first.scenario, first.columns, flight.columns)
+        return _Evaluation(seen.other, flight.columns, names, seen, beside=True)
+    return _Evaluation(model_of(flight, ()), flight.columns, names)
+
+
+def _instant(model: Model, columns: Mapping[str, Array], row: int) -> Instant:
+    """A vehicle at a row of its trajectory."""
+    leaves = states_at(model, columns, np.array([row]))[0].tolist()
+    state = rebuilt(model_state(model), leaves)
+    return Instant(model.airframe, model.world, model.contact_point, state)
+
+
+def _hardest_face(faces: Iterable[FaceLoad]) -> FaceLoad:
+    return max(faces, key=lambda face: face.normal)
 
 
 def _place_at(given: _Evaluation, row: int, part: int) -> ContactPlace | None:
     """What a part touches at a row of the trajectory; None if nothing presses on it."""
-    model, still = given.model, model_state(given.model)
-    state = rebuilt(still, states_at(model, given.columns, np.array([row]))[0].tolist())
-    instant = Instant(model.airframe, model.world, model.contact_point, state)
+    instant, names = _instant(given.model, given.columns, row), given.names
     with routines_compiled():
-        pressed = max(loads_at(instant)[part], key=lambda face: face.normal)
+        pressed = _hardest_face(loads_at(instant)[part])
+        if given.view is not None:  # the first vehicle presses with what acts on itself
+            alone = _instant(given.view.of_part(part), given.view.columns, row)
+            theirs = _hardest_face(chain.from_iterable(loads_at(alone)))
+            if theirs.normal > max(pressed.normal, NO_FORCE):
+                x, y, z = theirs.point
+                return ContactPlace(names.other, (x, y, z))
         if pressed.normal <= NO_FORCE:
-            return ContactPlace(given.names.other, None) if given.beside else None
-        near = _all_near(model.world.obstacles, state.bodies, pressed.point, given.names)
+            return ContactPlace(names.other, None) if given.beside else None
+        near = _all_near(
+            given.model.world.obstacles, instant.state.bodies, pressed.point, given.names
+        )
         x, y, z = pressed.point
-        return ContactPlace(min(near).name, (x, y, z))
+        name = min(near).name
+        return ContactPlace(name, (x, y, z), name in names.grounds)
 
 
 def _stored_place(given: _Evaluation, flight: FlightResult, one: ContactSpan) -> ContactPlace:
@@ -183,7 +204,8 @@ def _stored_place(given: _Evaluation, flight: FlightResult, one: ContactSpan) ->
         near = [*_all_near(model.world.obstacles, state.bodies, Vec(*point), at_rest)]
     surfaces = zip(flight.own_surfaces, given.names.own, strict=True)
     near += [_Near(one.distance(np.array(point)), name) for one, name in surfaces]
-    return ContactPlace(min(near).name, point)
+    name = min(near).name
+    return ContactPlace(name, point, name in given.names.grounds)
 
 
 def contact_places(flight: FlightResult, spans: Sequence[ContactSpan]) -> list[ContactPlace | None]:
@@ -203,7 +225,7 @@ def contact_places(flight: FlightResult, spans: Sequence[ContactSpan]) -> list[C
     found: list[ContactPlace | None]
     if is_read:
         model = flight.scenario.flight_model(())
-        given = _Evaluation(model, flight.columns, _names_of(flight), False)
+        given = _Evaluation(model, flight.columns, _names_of(flight))
         found = [_stored_place(given, flight, one) for one in spans[:MOST]]
     else:
         given = _evaluation(flight)

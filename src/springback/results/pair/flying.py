@@ -14,6 +14,7 @@ from springback.errors import InputError
 from springback.scenario.build import ReadyFlight
 from springback.scenario.model import RING_ROUNDING
 from springback.scenario.scenario import Scenario
+from springback.scenario.worlds.imported import single_obstacles
 from springback.simulation.flight import FlightRecord
 from springback.simulation.guided import GuidedFlown, ticks_of
 from springback.simulation.measuring.record import Model
@@ -72,8 +73,9 @@ def _side(scenario: Scenario, path: str, built: ReadyFlight) -> PairedFlight:
 
 def in_a_scene(scenario: Scenario, vehicle: Vehicle, model: Model) -> Model:
     """A model whose world is a scene, whatever is in it, that all hulls of a vehicle can meet."""
-    given, remember = scenario.world.obstacles, any(hull.remembers for hull in vehicle.hulls)
-    scene = obstacles(given, as_scene=True, hull_memory=remember)  # type: ignore[arg-type]  # checked
+    given = single_obstacles(scenario.world.obstacles)
+    remember = any(hull.remembers for hull in vehicle.hulls)
+    scene = obstacles(given, as_scene=True, hull_memory=remember)
     assert isinstance(scene, SolidScene)
     if vehicle.hulls:
         scene = with_hulls(scene, RING_ROUNDING)

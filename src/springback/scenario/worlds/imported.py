@@ -23,7 +23,7 @@ from springback.quantities import LARGEST, Angle, Factor
 from springback.scenario.worlds.content import WorldContent, WorldRemark
 from springback.scenario.worlds.files import world_content
 from springback.scenario.worlds.paths import file_bytes
-from springback.settings import Settings, problem
+from springback.settings import Name, Settings, problem
 
 #: Types of built-in obstacles.
 KINDS = tuple(get_args(kind.model_fields["type"].annotation)[0] for kind in get_args(BuiltIn))
@@ -82,6 +82,8 @@ class Imported(Settings):
     """A world of another program: SDF (Gazebo), MJCF, URDF, RotorPy, OctoMap, a mesh or a grid."""
 
     type: Literal["import"]
+    name: Name = ""
+    """For messages and drawings, before the names of its elements."""
     file: str
     """Of the world, relative to the scenario; its suffix tells the format."""
     search: tuple[str, ...] = ()
@@ -226,8 +228,39 @@ def single_obstacles(obstacles: Iterable[Any]) -> tuple[Any, ...]:
 def named_obstacles(obstacles: Sequence[Any]) -> Iterator[tuple[str, Any]]:
     """Obstacles as of `single_obstacles`, each with its name in a sentence."""
     for k, entry in enumerate(obstacles):
-        for one in single_obstacles([entry]):
-            yield f"world.obstacles[{k}], a {entry.type}", one
+        if isinstance(entry, Imported):
+            for part in entry.parts:
+                yield (
+                    f"{part_words(k, entry, part)}, {with_article(part.obstacle.type)}",
+                    part.obstacle,
+                )
+        else:
+            yield obstacle_words(k, entry), entry
+
+
+#: What an obstacle of that type is called without a name.
+GROUND = "the ground"
+
+
+def with_article(word: str) -> str:
+    """A type of obstacles in a sentence."""
+    article = "an" if word[0].lower() in "aeiou" and word != "union" else "a"
+    return GROUND if word == "ground" else f"{article} {word}"
+
+
+def obstacle_words(number: int, entry: Any) -> str:
+    """An obstacle in a sentence: its place in the scenario, and its name or its type.
+
+    Args:
+        number: Its index in the scenario.
+        entry: Its settings.
+    """
+    return f"world.obstacles[{number}], {entry.name or with_article(entry.type)}"
+
+
+def part_words(number: int, entry: Imported, part: NamedObstacle) -> str:
+    """An element of an imported world in a sentence; arguments as for `obstacle_words`."""
+    return f"world.obstacles[{number}], {entry.name}{'/' if entry.name else ''}{part.name}"
 
 
 #: Tables of contents, by identity.

@@ -11,7 +11,7 @@ from springback.contact.grids.distance_grids import least_cell
 from springback.contact.grids.measured_shapes import MeshBody
 from springback.contact.thin_obstacles import COARSE, cell_advice
 from springback.contact.unions import ShapeUnion
-from springback.scenario.worlds.imported import Imported
+from springback.scenario.worlds.imported import Imported, part_words
 from springback.settings import problem
 
 #: Size of a mesh from which its file may be in millimetres [m] (chosen: larger than most halls).
@@ -86,17 +86,17 @@ def size_words(obstacle: Any) -> str:
 def _meshes(obstacles: Sequence[Any]) -> Iterator[tuple[str, str, MeshBody]]:
     """Meshes of a world, each with its key, empty for one of a file, and its name."""
     for k, entry in enumerate(obstacles):
-        path = f"world.obstacles[{k}]"
+        path, called = f"world.obstacles[{k}]", f", {entry.name}" if entry.name else ""
         if isinstance(entry, MeshBody):
-            yield path, path, entry
+            yield path, f"{path}{called}", entry
         elif isinstance(entry, ShapeUnion):
             for j, shape in enumerate(entry.shapes):
                 if isinstance(shape, MeshBody):
-                    yield f"{path}.shapes[{j}]", f"{path}.shapes[{j}]", shape
+                    yield f"{path}.shapes[{j}]", f"{path}.shapes[{j}]{called}", shape
         elif isinstance(entry, Imported):
             for part in entry.parts:
                 if isinstance(part.obstacle, MeshBody):
-                    yield "", f"{path}, {part.name}", part.obstacle
+                    yield "", part_words(k, entry, part), part.obstacle
 
 
 def _numbers(mesh: MeshBody) -> tuple[tuple[float, ...], float, float]:

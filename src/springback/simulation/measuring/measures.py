@@ -76,7 +76,10 @@ MEASURES = {
     "restitution_at_return": ("", "the same, when it is back where it was at first touch"),
     "restitution_of_mass_centre": ("", "the same for the centre of mass, last separation"),
     "touch_time": ("s", "first touch"),
-    "touch_speed": ("m/s", "speed of the main body into the obstacle at first touch"),
+    "touch_speed": (
+        "m/s",
+        "speed of the main body into the obstacle at first touch, relative to it",
+    ),
     "separation_time": ("s", "last separation of the first impact"),
     "return_time": ("s", "main body back where it was at first touch"),
     "contact_time": ("s", "first touch to last separation of the first impact"),
