@@ -62,7 +62,7 @@ def view(
     if export is None:
         needs("uvicorn", "web")
         needs("starlette", "web")
-    with terminal.spinner(_doing(results)):
+    with terminal.spinner(spinner_label(results)):
         page = replay_of(*_flights(results, twin, terminal))
     if export is not None:
         export_page(page, export, force=force)
@@ -74,7 +74,7 @@ def view(
     serve(replay_app(page), host=host, port=port, what="replay", browser=not no_browser)
 
 
-def _doing(results: Sequence[Path]) -> str:
+def spinner_label(results: Sequence[Path]) -> str:
     """Label of the spinner, by what is to be flown: scenario files, and rows of campaigns."""
     stored = all(one.is_dir() and one.suffix.lower() != ".toml" for one in results)
     return READING if stored else f"reading and {FIRST}"
