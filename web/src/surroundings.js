@@ -129,9 +129,9 @@ function shadowOf(thing, level, floor) {
   return mesh;
 }
 
-/** A group that flattens what is in it onto a plane. */
-function flattened(level, ...shadows) {
-  const group = new THREE.Group().add(...shadows);
+/** A group that flattens a shadow onto its plane. */
+function flattened(level, shadow) {
+  const group = new THREE.Group().add(shadow);
   group.scale.z = 0;
   group.position.z = level + 0.002;
   return group;
@@ -174,7 +174,8 @@ export class Mover {
     this.origin = vector(track.origin);
     this.body = new THREE.Group().add(...things.map((thing) => obstacle(thing, colours, shades, floor)));
     const shadows = things.map((thing) => shadowOf(thing, level, floor)).filter(Boolean);
-    this.shadow = new THREE.Group().add(...shadows);
+    this.shadow = new THREE.Group();
+    if (shadows.length) this.shadow.add(...shadows);
     this.group = new THREE.Group().add(this.body, flattened(level, this.shadow));
     this.turn = new THREE.Quaternion();
     this.rod = null;
