@@ -11,8 +11,11 @@ from matplotlib.axes import Axes
 
 from springback.interfaces.figures.chart import AREA, Chart
 from springback.interfaces.figures.style import LOOKS, WIDTH, Look, StyledFigure
+from springback.results.flight import Flight
+from springback.results.joints.hinges import HingeHistory, has_hinges, hinge_histories
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
+Curves = list[tuple[str, Array]]
 ROUNDING = 1e-6
 """A curve that varies less than this is drawn as a flat line, not magnified."""
 
@@ -157,3 +160,30 @@ def alike(what: str, curves: list[tuple[int, Array]]) -> list[tuple[str, Array]]
 def short(name: str, most: int = 24) -> str:
     """Name shortened to fit into a legend."""
     return name if len(name) <= most else name[: most - 1] + "…"
+
+
+def hinge_curves(flight: Flight) -> list[tuple[str, Curves]]:
+    """Labels of panels and their curves: angles and torques; none of arms that do not turn.
+
+    Args:
+        flight: With its trajectory.
+    """
+    if not has_hinges(flight.scenario.vehicle):
+        return []
+    found = hinge_histories(flight)
+    angles = [one._replace(angle=np.degrees(one.angle)) for one in found]
+    panels = {
+        "Hinge angle [deg]": [(one, one.angle) for one in angles],
+        "Hinge torque [N m]": [(one, one.torque) for one in found],
+    }
+    return [(label, _by_joint(given)) for label, given in panels.items() if given]
+
+
+def _by_joint(given: list[tuple[HingeHistory, Array]]) -> Curves:
+    """Curves of the first joints, then of those that they carry."""
+    names = {1: "arm", 2: "second of arm"}
+    return [
+        curve
+        for joint, name in names.items()
+        for curve in alike(name, [(one.arm, values) for one, values in given if one.joint == joint])
+    ]
