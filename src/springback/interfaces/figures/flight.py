@@ -33,9 +33,9 @@ from springback.interfaces.output.robots import BLUE, GREEN, GREY, INK, ORANGE, 
 from springback.results.flight import Flight
 from springback.results.result import NAMED
 
-#: Longest name of a scenario, and longest line, of a title [characters]; room for the legend below
-#: what was touched [points] (chosen).
-LONGEST_NAME, TITLE, ABOVE = 50, 66, 16.0
+#: Longest name of a scenario in a title, and longest lines of that and below it [characters]; room
+#: for the legend below those [points] (chosen).
+LONGEST_NAME, TITLE, TOUCHED, ABOVE = 50, 52, 58, 16.0
 #: An arm that gives less than this is drawn as a flat line [mm] (chosen: the width of that line).
 STIFF = 0.02
 
@@ -100,7 +100,7 @@ def _motion(flight: Flight) -> Figure:
         panels.append(panel("Arm length [mm]", lengths, STIFF))
     if "bend1" in c:
         bends = alike("arm", [(j, 1e3 * c[f"bend{j}"]) for j in arms])
-        panels.append(panel("Arm bend, second joint [mm]", bends, STIFF))
+        panels.append(panel("2nd joint [mm]", bends, STIFF))
     panels += [panel(label, curves) for label, curves in hinge_curves(flight)]
     panels += [
         panel(f"{what} [N]", curves)
@@ -115,14 +115,13 @@ def _motion(flight: Flight) -> Figure:
 def titled(figure: Figure, flight: Flight) -> Figure:
     """A figure with the name of the scenario, the outcome, and what was touched above it."""
     name = short(flight.scenario.name, LONGEST_NAME)
-    figure.suptitle(
-        escape(fill(f"{name}: {flight.message}", TITLE)), x=0.01, ha="left", weight="bold"
-    )
+    said = fill(f"{name}: {flight.message}", TITLE)
+    figure.suptitle(escape(said), x=0.01, ha="left", weight="bold")
     met = [one.obstacle for one in flight.obstacle_contacts]
     if met:
         more = f"; and {len(met) - NAMED} more" if len(met) > NAMED else ""
         words = f"touched: {'; '.join(met[:NAMED])}{more}"
-        figure.axes[0].set_title(escape(fill(words, TITLE)), weight="normal", pad=ABOVE)
+        figure.axes[0].set_title(escape(fill(words, TOUCHED)), weight="normal", pad=ABOVE)
     return figure
 
 

@@ -12,7 +12,7 @@ from matplotlib.axes import Axes
 from springback.interfaces.figures.chart import AREA, Chart
 from springback.interfaces.figures.style import LOOKS, WIDTH, Look, StyledFigure
 from springback.results.flight import Flight
-from springback.results.joints.hinges import HingeHistory, has_hinges, hinge_histories
+from springback.results.joints.hinges import has_hinges, hinge_histories
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Curves = list[tuple[str, Array]]
@@ -163,7 +163,7 @@ def short(name: str, most: int = 24) -> str:
 
 
 def hinge_curves(flight: Flight) -> list[tuple[str, Curves]]:
-    """Labels of panels and their curves: angles and torques; none of arms that do not turn.
+    """Labels of panels and their curves: angles and torques of arms; none where none can turn.
 
     Args:
         flight: With its trajectory.
@@ -171,19 +171,11 @@ def hinge_curves(flight: Flight) -> list[tuple[str, Curves]]:
     if not has_hinges(flight.scenario.vehicle):
         return []
     found = hinge_histories(flight)
-    angles = [one._replace(angle=np.degrees(one.angle)) for one in found]
-    panels = {
-        "Hinge angle [deg]": [(one, one.angle) for one in angles],
-        "Hinge torque [N m]": [(one, one.torque) for one in found],
-    }
-    return [(label, _by_joint(given)) for label, given in panels.items() if given]
-
-
-def _by_joint(given: list[tuple[HingeHistory, Array]]) -> Curves:
-    """Curves of the first joints, then of those that they carry."""
-    names = {1: "arm", 2: "second of arm"}
-    return [
-        curve
-        for joint, name in names.items()
-        for curve in alike(name, [(one.arm, values) for one, values in given if one.joint == joint])
-    ]
+    panels = []
+    for joint, name in {1: "Hinge", 2: "2nd hinge"}.items():
+        own = [one for one in found if one.joint == joint]
+        if own:
+            angles = alike("arm", [(one.arm, np.degrees(one.angle)) for one in own])
+            torques = alike("arm", [(one.arm, one.torque) for one in own])
+            panels += [(f"{name} [deg]", angles), (f"{name} [N m]", torques)]
+    return panels

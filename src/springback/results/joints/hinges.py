@@ -68,7 +68,7 @@ def hinge_histories(flight: FlightResult) -> tuple[HingeHistory, ...]:
     for number, arm in enumerate(model.airframe.arms, start=1):
         if not isinstance(arm, ON_JOINTS) or not arm.compliance > 0.0:
             continue
-        joints = [(1, arm, f"l{number}", f"dl{number}")]
+        joints: list[tuple[int, Any, str, str]] = [(1, arm, f"l{number}", f"dl{number}")]
         if hasattr(arm, "second"):
             joints.append((2, arm.second, f"bend{number}", f"dbend{number}"))
         for which, joint, way, rate in joints:
