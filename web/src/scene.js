@@ -274,9 +274,12 @@ export function createScene(element, { flights = [], compare = "side", align = t
     });
     const things = state.flights.flatMap((flight, k) => flight.obstacles.filter((one) => one.track < 0).map((one) => moved(one, places[k])));
     const ground = things.some((one) => one.kind === "ground") ? state.floor : null;
+    state.shadows = [];
     state.shades = shadesOf(state.flights.flatMap((flight) => flight.obstacles), colours);
     joined(things).forEach((thing) => {
-      for (const drawn of [obstacle(thing, colours, state.shades, ground), restingShadow(thing, state.floor, ground)]) {
+      const shadow = restingShadow(thing, state.floor, ground);
+      if (shadow) state.shadows.push(shadow);
+      for (const drawn of [obstacle(thing, colours, state.shades, ground), shadow]) {
         if (!drawn) continue;
         drawn.position.add(new THREE.Vector3(...(thing.moved ?? [0, 0, 0])));
         content.add(drawn);
@@ -548,6 +551,12 @@ export function createScene(element, { flights = [], compare = "side", align = t
       ends: actors.map(({ robot }) => robot.ends()),
       connections: actors.map(({ robot }) => robot.connections()),
       estimates: state.estimate ? state.flights.map((flight) => (hasEstimate(flight) ? estimateAt(flight, state.t) : null)) : [] }),
+    /** Boxes around the shadows of obstacles, of those at rest first, for tests [m]. */
+    shadows: () => [...state.shadows, ...actors.flatMap(({ movers }) => movers.map(({ shadow }) => shadow))].map((one) => {
+      one.updateWorldMatrix(true, true);
+      const box = new THREE.Box3().setFromObject(one, true);
+      return [...box.min.toArray(), ...box.max.toArray()];
+    }),
     /** Graphics resources in use, for tests of leaks. */
     memory: () => ({ ...renderer?.info.memory }),
   };
