@@ -258,7 +258,7 @@ def test_words_cover_neither_robots_nor_obstacles(scene: Scene) -> None:
 
 def test_obstacles_of_different_kinds_are_told_apart_and_walls_are_as_ever() -> None:
     """A box at rest and one that moves are two kinds; ground and mat have their own colours."""
-    mesh = {"vertices": np.zeros((3, 3)), "triangles": np.array([[0, 1, 2]])}
+    mesh: dict[str, Any] = {"vertices": np.zeros((3, 3)), "triangles": np.array([[0, 1, 2]])}
     things = [
         Drawable("mesh", "box", **mesh), Drawable("mesh", "pole", **mesh),
         Drawable("wall", "wall", normal=(1.0, 0.0, 0.0)), Drawable("mesh", "box", track=0, **mesh),

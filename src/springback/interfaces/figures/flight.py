@@ -58,7 +58,7 @@ def flight_figure(flight: Flight) -> Figure:
     if flight.is_piloted:
         shades = contacts(flight.columns)
         figure = stacked_panels(guided_panels(flight), "Time [s]", shades, height=1.15)
-        return titled(figure, flight)
+        return with_title(figure, flight)
     return _motion(flight)
 
 
@@ -109,10 +109,10 @@ def _motion(flight: Flight) -> Figure:
     ]
     shades = [(t(start), t(end)) for start, end in contacts(c)]
     time = "Time [s]" if touch is None else "Time from first touch [ms]"
-    return titled(stacked_panels(panels, time, shades), flight)
+    return with_title(stacked_panels(panels, time, shades), flight)
 
 
-def titled(figure: Figure, flight: Flight) -> Figure:
+def with_title(figure: Figure, flight: Flight) -> Figure:
     """A figure with the name of the scenario, the outcome, and what was touched above it."""
     name = short(flight.scenario.name, LONGEST_NAME)
     said = fill(f"{name}: {flight.message}", TITLE)

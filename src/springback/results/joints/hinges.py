@@ -33,7 +33,7 @@ class HingeHistory(NamedTuple):
     torque: Array  # of spring, damper, latch and end stops, positive against that [N m]
 
 
-class _Turned(NamedTuple):
+class _HingeInstant(NamedTuple):
     """A joint at one instant."""
 
     arm: Any  # constants of the arm, or of its second joint
@@ -42,7 +42,7 @@ class _Turned(NamedTuple):
 
 
 @kernel
-def _force(at: _Turned) -> float:
+def _force(at: _HingeInstant) -> float:
     stop = end_stop(at.arm, at.length, at.rate)
     return float(spring_damper_force(at.arm, at.length, at.rate) + stop.force)
 
@@ -87,7 +87,7 @@ def has_hinges(vehicle: Vehicle) -> bool:
 
 def _forces(joint: Any, lengths: Array, rates: Array) -> Array:
     """Force along the path of a joint, positive as it lengthens the arm [N], shape (instants,)."""
-    like = _Turned(joint, 0.0, 0.0)
+    like = _HingeInstant(joint, 0.0, 0.0)
     constants = np.array(leaves(joint))
     rows = np.broadcast_to(constants, (len(lengths), len(constants)))
     instants = np.hstack([rows, np.stack([lengths, rates], axis=1)])
