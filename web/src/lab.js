@@ -95,7 +95,7 @@ export function startLab(element, data) {
     element.classList.add("ready");
     if (!how.aside) say([]);
     preparing.hidden = true;
-    if (!how.typing) controls.show(found.settings);
+    if (!how.typing && !how.older) controls.show(found.settings); // an older answer does not undo a choice
     else controls.tellProblems([]);
     const first = !before || before.settings.mode !== found.settings.mode;
     const many = found.flights.length !== before?.flights.length;
@@ -192,6 +192,7 @@ export function startLab(element, data) {
   }
 
   function go(query, { push = false } = {}) {
+    controls.showQuery(query);
     queue.ask(query, { since: performance.now(), settled: push, restored: !push });
   }
   addEventListener("popstate", () => (sweep.restore(location.hash), go(location.search.slice(1))));
@@ -224,7 +225,6 @@ export function startLab(element, data) {
     if (opened) stage.scrollIntoView({ block: "start" });
   }
 
-  controls.show(Object.fromEntries(data.controls.map((one) => [one.name, one.default])));
   sweep.restore(location.hash);
   go(location.search.slice(1));
   window.springback = {

@@ -115,7 +115,7 @@ const KINDS = { slider: sliderControl, fixed: fixedControl, choice: choiceContro
  *
  * @param controls the table, from springback.interfaces.lab.settings.controls
  * @param changed called with name, text and {moving, typing, settled}
- * @returns {element, values, query, show, tellProblems, isShown, pick}: values are texts as typed
+ * @returns {element, values, query, show, showQuery, tellProblems, isShown, pick}: values are texts as typed
  */
 export function createControls(controls, changed) {
   const values = {};
@@ -154,6 +154,15 @@ export function createControls(controls, changed) {
     hide();
   }
 
+  /** Show the settings of a query, at once: the flight may be long in coming. */
+  function showQuery(query) {
+    const asked = new URLSearchParams(query);
+    show(Object.fromEntries(controls.map(({ name, words, default: own }) => {
+      const value = asked.get(name);
+      return [name, value === null || (words && !(value in words)) ? own : value];
+    })));
+  }
+
   /** Show problems beside their settings. */
   function tellProblems(lines) {
     for (const part of Object.values(parts)) part.tellProblem("");
@@ -169,5 +178,5 @@ export function createControls(controls, changed) {
   hide();
   const isShown = (name) => !parts[name].element.hidden;
   const pick = (name, value) => parts[name].pick(value);
-  return { element, values, query, show, tellProblems, isShown, pick };
+  return { element, values, query, show, showQuery, tellProblems, isShown, pick };
 }

@@ -15,6 +15,12 @@ const PARTS = {
   motion: ["#0072b2", 0.85], "arm springs": ["#56b4e9", 0.85], "end stops": ["#cc79a7", 0.85], contact: ["#009e73", 0.85],
   "lost in arms": ["#e69f00", 0.6], "lost in contact": ["#d55e00", 0.6], "lost in friction": ["#8c8c8c", 0.6],
   "lost in stops": ["#cc79a7", 0.4], "lost in locking": ["#444444", 0.4], "lost to air": ["#bbbbbb", 0.4],
+  "moving obstacles": ["#b3a100", 0.75], "lost in obstacles": ["#b3a100", 0.35],
+  "to driven obstacles": ["#6b4fa0", 0.5], "to the other robot": ["#6b4fa0", 0.5],
+};
+/** Lines over the stack: what was put in, to which it sums, and what of it came from outside. */
+const PUT_IN = {
+  "put in": { width: 1.6, dash: [6, 3] }, "by driven obstacles": { width: 1.4, dash: [2, 3] }, "by the other robot": { width: 1.4, dash: [2, 3] },
 };
 
 const faded = (colour, share) => colour + Math.round(255 * share).toString(16).padStart(2, "0");
@@ -65,6 +71,10 @@ function curvesOf(flights, pinned) {
     for (const one of flight.series) {
       if (one.panel === ENERGY) {
         if (behind) continue;
+        if (PUT_IN[one.name]) {
+          add(`${ENERGY}, ${flight.label}`, one.unit, { name: one.name, t, values: Array.from(one.values), colour: palette().ink, flight, over: true, ...PUT_IN[one.name] });
+          continue;
+        }
         sum = Array.from(one.values, (x, i) => x + (sum ? sum[i] : 0));
         const [colour, share] = PARTS[one.name] ?? ["#8c8c8c", 0.5];
         add(`${ENERGY}, ${flight.label}`, one.unit, { name: one.name, t, values: sum, colour, fill: faded(colour, share), flight });
@@ -135,7 +145,14 @@ export function createLabPlots(element, { onSeek }) {
     const table = shared
       ? [panel.curves[0].t, ...panel.curves.map((curve) => curve.values)]
       : uPlot.join(panel.curves.map((curve) => [curve.t, curve.values]));
-    return panel.stacked ? [table[0], ...table.slice(1).reverse()] : table;
+    return [table[0], ...drawnOrder(panel, table.slice(1))];
+  }
+
+  /** Of a stack the highest first, so that those below are drawn on it, and lines over it last. */
+  function drawnOrder(panel, all) {
+    if (!panel.stacked) return all;
+    const over = panel.curves.map((curve) => Boolean(curve.over));
+    return [...all.filter((_, k) => !over[k]).reverse(), ...all.filter((_, k) => over[k])];
   }
 
   function build(panel, whole) {
@@ -156,7 +173,8 @@ export function createLabPlots(element, { onSeek }) {
     element.append(box);
     const one = { box, canvas, panel, signature: signature(panel, whole), bounds: null, zero: 0 };
     const axis = { stroke: colours.faint, grid: { stroke: colours.line, width: 0.6 }, ticks: { show: false }, font: "11px system-ui, sans-serif" };
-    const curves = panel.stacked ? [...panel.curves].reverse() : panel.curves;
+    const curves = drawnOrder(panel, panel.curves);
+    const parts = curves.filter((curve) => !curve.over);
     const labels = (_, ticks) => ticks.map((t) => (whole ? String(+t.toFixed(3)) : String(Math.round(1e3 * (t - one.zero)))));
     const splits = (u, _, from, to) => ticksOf(from, to, one.zero, whole);
     one.plot = new uPlot({
@@ -165,11 +183,11 @@ export function createLabPlots(element, { onSeek }) {
       cursor: { x: false, y: false, points: { show: false }, drag: { x: false, y: false } },
       axes: [{ ...axis, size: 22, gap: 2, values: labels, splits }, { ...axis, size: 46, gap: 4, space: SPACE }],
       series: [{}, ...curves.map((curve) => ({
-        stroke: curve.colour, width: curve.fill ? 1 : curve.behind ? 1.4 : 1.8, dash: curve.dash ?? [], fill: curve.fill, spanGaps: true, points: { show: false },
+        stroke: curve.colour, width: curve.width ?? (curve.fill ? 1 : curve.behind ? 1.4 : 1.8), dash: curve.dash ?? [], fill: curve.fill, spanGaps: true, points: { show: false },
       }))],
       // A new range or size applies from the next drawing on, so the mark moves then.
       hooks: { draw: [() => mark(one)] },
-      bands: panel.stacked ? curves.slice(1).map((_, k) => ({ series: [k + 1, k + 2], fill: curves[k].fill })) : [],
+      bands: panel.stacked ? parts.slice(1).map((_, k) => ({ series: [k + 1, k + 2], fill: parts[k].fill })) : [],
     }, dataOf(panel), canvas);
     one.marker = create("div", { class: "plot-now" });
     one.plot.over.append(one.marker);

@@ -36,8 +36,9 @@ export function createQueue(page, on) {
     const found = await response.json();
     if (response.ok) {
       // While a slider moves every answer is drawn; a newer one follows right after.
-      on.answered(found, how);
+      on.answered(found, { ...how, older: wanted !== null });
     } else if (response.status === 503) {
+      if (wanted) return; // what was chosen since then is asked for next
       if (found.preparing) on.waits(found.preparing);
       timer = setTimeout(() => ask(query, { ...how, since: performance.now() }), AGAIN);
     } else if (!found.overtaken && !wanted) {

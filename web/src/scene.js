@@ -5,7 +5,7 @@ import { palette } from "./colours.js";
 import { estimateAt, flightOf, hasEstimate, largestForce, poseAt, roundBelow, touchOf, unpacked } from "./flight.js";
 import { reachOfArm } from "./joints.js";
 import { Arrow, Robot, disposed } from "./robot.js";
-import { Mover, Path, Shadow, compass, joined, moved, obstacle, rail, reference } from "./surroundings.js";
+import { Mover, Path, Shadow, compass, joined, kindOf, moved, obstacle, rail, reference, restingShadow, shadesOf } from "./surroundings.js";
 
 /** Length of the arrow of a round force near the largest [m]; distance of robots side by side [m]. */
 const ROUND_ARROW = 0.22;
@@ -274,13 +274,19 @@ export function createScene(element, { flights = [], compare = "side", align = t
     });
     const things = state.flights.flatMap((flight, k) => flight.obstacles.filter((one) => one.track < 0).map((one) => moved(one, places[k])));
     const ground = things.some((one) => one.kind === "ground") ? state.floor : null;
+    state.shadows = [];
+    state.shades = shadesOf(state.flights.flatMap((flight) => flight.obstacles), colours);
     joined(things).forEach((thing) => {
-      const drawn = obstacle(thing, colours, ground);
-      drawn.position.set(...(thing.moved ?? [0, 0, 0]));
-      content.add(drawn);
+      const shadow = restingShadow(thing, state.floor, ground);
+      if (shadow) state.shadows.push(shadow);
+      for (const drawn of [obstacle(thing, colours, state.shades, ground), shadow]) {
+        if (!drawn) continue;
+        drawn.position.add(new THREE.Vector3(...(thing.moved ?? [0, 0, 0])));
+        content.add(drawn);
+      }
     });
     actors.forEach((actor) => {
-      actor.movers = actor.flight.bodies.map((track, k) => new Mover(track, actor.flight.obstacles.filter((one) => one.track === k), colours, ground));
+      actor.movers = actor.flight.bodies.map((track, k) => new Mover(track, actor.flight.obstacles.filter((one) => one.track === k), colours, state.shades, ground, state.floor));
       for (const mover of actor.movers) actor.group.add(mover.group);
     });
     state.box = boxes.clone();
@@ -321,12 +327,12 @@ export function createScene(element, { flights = [], compare = "side", align = t
       entry("force", `contact force, each at its point, ${round} N is ${100 * ROUND_ARROW} cm`);
     }
     if (state.flights.some((f) => f.thrust.some((x) => x > 0))) entry("thrust", "thrust");
-    const kinds = new Set(state.flights.flatMap((f) => f.obstacles.map((o) => (o.kind === "mesh" ? o.name : o.kind))));
+    const kinds = new Set(state.flights.flatMap((f) => f.obstacles.map(kindOf)));
     if (comparison() !== state.compare) entry("words", "overlaid: the obstacles are too wide to be put side by side");
     if (state.magnified !== 1) entry("travel", `arm travel × ${state.magnified}, not to scale`);
     for (const kind of kinds) {
       entry("obstacle", kind);
-      legend.lastChild.style.setProperty("--colour", colours[kind === "mat" || kind === "ground" ? kind : "wall"]);
+      legend.lastChild.style.setProperty("--colour", state.shades?.get(kind) ?? colours.wall);
     }
   }
 
@@ -545,6 +551,12 @@ export function createScene(element, { flights = [], compare = "side", align = t
       ends: actors.map(({ robot }) => robot.ends()),
       connections: actors.map(({ robot }) => robot.connections()),
       estimates: state.estimate ? state.flights.map((flight) => (hasEstimate(flight) ? estimateAt(flight, state.t) : null)) : [] }),
+    /** Boxes around the shadows of obstacles, of those at rest first, for tests [m]. */
+    shadows: () => [...state.shadows, ...actors.flatMap(({ movers }) => movers.map(({ shadow }) => shadow))].map((one) => {
+      one.updateWorldMatrix(true, true);
+      const box = new THREE.Box3().setFromObject(one, true);
+      return [...box.min.toArray(), ...box.max.toArray()];
+    }),
     /** Graphics resources in use, for tests of leaks. */
     memory: () => ({ ...renderer?.info.memory }),
   };

@@ -10,6 +10,8 @@ import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.j
 /** Faces that meet at less than this are shaded as one [rad]; edges sharper than this are drawn [deg]. */
 const SMOOTH = 0.6;
 const EDGE = 25;
+/** Depth by which what stands on a plane may reach below it and cast its shadow there [m]. */
+const UNDER = 0.02;
 /** Radius of the rod of a hanging obstacle [m]. */
 const ROD = 0.004;
 
@@ -54,14 +56,14 @@ function slab(thing, depth, colour, opacity, from = 0) {
 }
 
 /** A shape of the user's own: a piece of its surface, of which each pixel shows the nearest part alone. */
-function surface(thing, colours) {
+function surface(thing, colour) {
   const shape = new THREE.BufferGeometry();
   shape.setAttribute("position", new THREE.BufferAttribute(unpacked(thing.vertices), 3));
   shape.setAttribute("normal", new THREE.BufferAttribute(unpacked(thing.normals), 3));
   shape.setIndex(Array.from(unpacked(thing.triangles)));
   const depths = new THREE.Mesh(shape, new THREE.MeshBasicMaterial({ colorWrite: false, transparent: true, side: THREE.DoubleSide }));
   const faces = new THREE.Mesh(shape, new THREE.MeshStandardMaterial({
-    color: colours.wall, transparent: true, opacity: 0.55, roughness: 0.85, depthWrite: false, side: THREE.DoubleSide,
+    color: colour, transparent: true, opacity: 0.55, roughness: 0.85, depthWrite: false, side: THREE.DoubleSide,
   }));
   [depths, faces].forEach((one, k) => (one.renderOrder = 3 + k));
   return new THREE.Group().add(depths, faces);
@@ -71,15 +73,13 @@ function surface(thing, colours) {
  * Closed bodies with sharp edges: of each pixel only the nearest face is drawn, so that they are
  * evenly translucent, and nothing below the ground.
  */
-function body(thing, colours, floor) {
-  const welded = new THREE.BufferGeometry();
-  welded.setAttribute("position", new THREE.BufferAttribute(unpacked(thing.vertices), 3));
-  welded.setIndex(Array.from(unpacked(thing.triangles)));
+function body(thing, colours, colour, floor) {
+  const welded = weldedBody(thing);
   const shape = toCreasedNormals(welded, SMOOTH);
   const clippingPlanes = floor === null ? [] : [new THREE.Plane(new THREE.Vector3(0, 0, 1), -floor)];
   const depths = new THREE.Mesh(shape, new THREE.MeshBasicMaterial({ colorWrite: false, transparent: true, clippingPlanes }));
   const faces = new THREE.Mesh(shape, new THREE.MeshStandardMaterial({
-    color: colours.wall, transparent: true, opacity: 0.72, roughness: 0.85, depthWrite: false, clippingPlanes,
+    color: colour, transparent: true, opacity: 0.72, roughness: 0.85, depthWrite: false, clippingPlanes,
     stencilWrite: true, stencilRef: 1, stencilFunc: THREE.NotEqualStencilFunc, stencilZPass: THREE.ReplaceStencilOp,
   })); // by the stencil each pixel once, where faces of two bodies coincide, too
   const edges = new THREE.LineSegments(new THREE.EdgesGeometry(welded, EDGE), new THREE.LineBasicMaterial({
@@ -90,10 +90,64 @@ function body(thing, colours, floor) {
   return new THREE.Group().add(depths, faces, edges);
 }
 
-/** An obstacle; bodies end at the height of the ground, if there is any. */
-export function obstacle(thing, colours, floor = null) {
+function weldedBody(thing) {
+  const welded = new THREE.BufferGeometry();
+  welded.setAttribute("position", new THREE.BufferAttribute(unpacked(thing.vertices), 3));
+  welded.setIndex(Array.from(unpacked(thing.triangles)));
+  return welded;
+}
+
+/** Name of what an obstacle is drawn as: one colour, and one line of the legend. */
+export const kindOf = (thing) => (thing.kind === "mesh" ? `${thing.name}${thing.track < 0 ? "" : ", moving"}` : thing.kind);
+
+/** Quiet colours of obstacles by kind: mat and ground have their own, the first other one that of a wall. */
+export function shadesOf(things, colours) {
+  const kinds = [...new Set(things.map(kindOf))];
+  const others = kinds.filter((kind) => kind !== "mat" && kind !== "ground");
+  others.sort((a, b) => (b === "wall") - (a === "wall"));
+  const shade = (kind) => (others.includes(kind) ? colours.shapes[others.indexOf(kind) % colours.shapes.length] : colours[kind]);
+  return new Map(kinds.map((kind) => [kind, shade(kind)]));
+}
+
+/**
+ * Vertical shadow of a closed body on a horizontal plane; null of what reaches below it.
+ *
+ * Each pixel is darkened once, as by the stencil.  What it holds is drawn as the body is, flat.
+ */
+function shadowOf(thing, level, floor) {
+  if (thing.kind !== "mesh" || thing.normals) return null;
+  const welded = weldedBody(thing);
+  welded.computeBoundingBox();
+  if (welded.boundingBox.min.z < level - UNDER && (floor === null || welded.boundingBox.max.z <= level)) return null;
+  const paint = new THREE.MeshBasicMaterial({
+    color: "#000000", transparent: true, opacity: 0.14, depthWrite: false, side: THREE.DoubleSide,
+    stencilWrite: true, stencilRef: 2, stencilFunc: THREE.NotEqualStencilFunc, stencilZPass: THREE.ReplaceStencilOp,
+  });
+  const mesh = new THREE.Mesh(welded, paint);
+  mesh.renderOrder = 2;
+  mesh.frustumCulled = false; // its bounds are those of the body
+  return mesh;
+}
+
+/** A group that flattens a shadow onto its plane. */
+function flattened(level, shadow) {
+  const group = new THREE.Group().add(shadow);
+  group.scale.z = 0;
+  group.position.z = level + 0.002;
+  return group;
+}
+
+/** Shadow of an obstacle at rest, where it stands; null if it has none. */
+export function restingShadow(thing, level, floor) {
+  const shadow = shadowOf(thing, level, floor);
+  return shadow && flattened(level, shadow);
+}
+
+/** An obstacle of a colour; bodies end at the height of the ground, if there is any. */
+export function obstacle(thing, colours, shades, floor = null) {
   const group = new THREE.Group();
-  if (thing.kind === "mesh") return thing.normals ? group.add(surface(thing, colours)) : body(thing, colours, floor);
+  const shade = shades.get(kindOf(thing)) ?? colours.wall;
+  if (thing.kind === "mesh") return thing.normals ? group.add(surface(thing, shade)) : body(thing, colours, shade, floor);
   const centre = vector(thing.centre);
   const lift = vector(thing.normal).multiplyScalar(0.001);
   const lines = (opacity, colour, step) =>
@@ -104,7 +158,7 @@ export function obstacle(thing, colours, floor = null) {
     group.add(slab(thing, thing.thickness, colours.mat, 0.2), lines(0.55, colours.mat, 0.1));
     group.add(slab(thing, 0.04, colours.wall, 0.25, thing.thickness));
   } else {
-    group.add(slab(thing, 0.04, colours.wall, 0.22), lines(0.5, colours.wall, 0.1));
+    group.add(slab(thing, 0.04, shade, 0.22), lines(0.5, shade, 0.1));
   }
   return group;
 }
@@ -114,11 +168,15 @@ export class Mover {
   /**
    * @param track of the flight's scene
    * @param things what is drawn of it, where it was placed
+   * @param level height of the plane of shadows
    */
-  constructor(track, things, colours, floor) {
+  constructor(track, things, colours, shades, floor, level) {
     this.origin = vector(track.origin);
-    this.body = new THREE.Group().add(...things.map((thing) => obstacle(thing, colours, floor)));
-    this.group = new THREE.Group().add(this.body);
+    this.body = new THREE.Group().add(...things.map((thing) => obstacle(thing, colours, shades, floor)));
+    const shadows = things.map((thing) => shadowOf(thing, level, floor)).filter(Boolean);
+    this.shadow = new THREE.Group();
+    if (shadows.length) this.shadow.add(...shadows);
+    this.group = new THREE.Group().add(this.body, flattened(level, this.shadow));
     this.turn = new THREE.Quaternion();
     this.rod = null;
     if (!track.rod.length) return;
@@ -135,6 +193,8 @@ export class Mover {
     this.turn.set(x, y, z, w);
     this.body.quaternion.copy(this.turn);
     this.body.position.copy(this.origin).negate().applyQuaternion(this.turn).add(vector(pose.position));
+    this.shadow.quaternion.copy(this.body.quaternion);
+    this.shadow.position.copy(this.body.position);
     if (!this.rod) return;
     const along = vector(pose.position).sub(this.pivot);
     this.rod.scale.y = along.length();

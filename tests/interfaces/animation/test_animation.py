@@ -21,6 +21,7 @@ from springback.errors import InputError
 from springback.interfaces.animation import bodies, timing
 from springback.interfaces.animation import film as animation
 from springback.interfaces.animation.frame import Frame
+from springback.interfaces.animation.panel import LIGHTER, SHADES, kind_of, lighter, shades_of
 from springback.interfaces.cli.app import cli
 from springback.interfaces.output.folders import output_folder
 from springback.interfaces.replay.geometry import Drawable
@@ -253,6 +254,24 @@ def test_words_cover_neither_robots_nor_obstacles(scene: Scene) -> None:
             assert box.x0 >= 0.0
             assert box.x1 <= size[0]
             assert not any(box.overlaps(other) for other in boxes[:k])
+
+
+def test_obstacles_of_different_kinds_are_told_apart_and_walls_are_as_ever() -> None:
+    """A box at rest and one that moves are two kinds; ground and mat have their own colours."""
+    mesh: dict[str, Any] = {"vertices": np.zeros((3, 3)), "triangles": np.array([[0, 1, 2]])}
+    things = [
+        Drawable("mesh", "box", **mesh), Drawable("mesh", "pole", **mesh),
+        Drawable("wall", "wall", normal=(1.0, 0.0, 0.0)), Drawable("mesh", "box", track=0, **mesh),
+        Drawable("ground", "ground", normal=(0.0, 0.0, 1.0)), Drawable("mesh", "box", **mesh),
+    ]  # fmt: skip
+    shades = shades_of(things)
+    found = [shades[kind_of(one)] for one in things]
+    assert len(set(found)) == 5
+    assert found[0] == found[5]
+    assert shades["wall"] == SHADES[0]
+    assert len(set(SHADES)) == len(SHADES)
+    red, green, blue = (int(lighter("#000000")[k : k + 2], 16) / 255.0 for k in (1, 3, 5))
+    assert red == green == blue == pytest.approx(LIGHTER, abs=0.01)
 
 
 def test_a_picture_changes_where_something_moves_and_nowhere_else(scene: Scene) -> None:

@@ -70,6 +70,34 @@ def test_a_flight_is_shown_around_its_contact() -> None:
     assert np.interp(0.0, past.get_xdata(), past.get_ydata()) == pytest.approx(0.0, abs=1e-9)
 
 
+def test_a_flight_is_titled_by_its_outcome_and_what_it_touched(tmp_path: Path) -> None:
+    """In flight.png as in impact.png; a name with a dollar sign is drawn as it is written."""
+    tables = {
+        "vehicle": "xplorer", "name": "a $very$ long name of a scenario " * 2, "thrust": "hover",
+        "world": {"obstacles": [
+            {"type": "pole", "position": [2.0, 0.05, 0.0], "radius": 0.05, "surface": "wall"},
+        ]},
+        "start": {"position": [1.5, 0.0, 1.0], "velocity": [1.0, 0.0, 0.0]},
+        "simulation": {"duration": 0.4},
+    }  # fmt: skip
+    flight = fly(tables)
+    assert flight.obstacle_contacts
+    for figure in nonempty([plots.flight_figure(flight), plots.impact_figure(flight)]):
+        title = " ".join(figure.get_suptitle().split())
+        assert title.startswith("a \\$very\\$ long name")
+        assert title.endswith(f": {flight.message}")
+        assert figure.axes[0].get_title(loc="left") == "touched: world.obstacles[0], a pole"
+        shown = list(panels(figure))
+        assert {"Hinge [deg]", "Hinge [N m]"} < set(shown)
+        assert "2nd hinge [deg]" not in shown
+        wide = figure.get_window_extent().width
+        for words in (figure._suptitle, figure.axes[0]._left_title):  # type: ignore[attr-defined]
+            assert words.get_window_extent().x1 <= wide
+    missed = plots.flight_figure(fake_slider_flight(hit=False))
+    assert missed.axes[0].get_title(loc="left") == ""
+    assert not [name for name in panels(missed) if "inge" in name]
+
+
 def test_arms_that_do_the_same_share_a_curve() -> None:
     axes = panels(plots.flight_figure(fake_slider_flight(stroke=0.01)))
     names = [line.get_label() for line in axes["Arm length [mm]"].lines]

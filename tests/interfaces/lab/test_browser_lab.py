@@ -269,6 +269,54 @@ def test_another_obstacle_is_chosen_hit_and_drawn(browser: Any, lab: str) -> Non
     assert [text for text in errors(browser) if "503" not in text] == []
 
 
+#: The lab's server as one that compiles for doors without end, and answers all else after 0.4 s.
+BUSY = """
+const fetched = window.fetch;
+window.fetch = async (query, ...more) => {
+  if (query.includes("obstacle=door")) {
+    const preparing = { what: "impacts on a door, free", about: 30, waited: 3 };
+    return { ok: false, status: 503, json: async () => ({ errors: [], preparing }) };
+  }
+  const found = await fetched(query, ...more);
+  await new Promise((done) => setTimeout(done, 400));
+  return found;
+};"""
+#: Settings of a page's address, as where one goes back to it.
+BACK = "history.pushState(null, '', arguments[0]); dispatchEvent(new PopStateEvent('popstate'));"
+
+
+def test_what_was_chosen_stays_chosen_while_it_compiles(browser: Any, lab: str) -> None:
+    """An answer to an earlier setting comes in between, and is drawn, and changes no choice."""
+    chosen = "return document.querySelector('#set-obstacle').value"
+    opened(browser, lab)
+    browser.execute_script(BUSY)
+    slide(browser, "speed", 500)
+    browser.find_element(CSS, "#set-obstacle option[value=door]").click()
+    until(lambda: "speed=" in shown(browser)["query"], "the speed, flown into the wall")
+    until(lambda: browser.find_element(CSS, ".preparing").is_displayed(), "a word on compiling")
+    assert browser.execute_script(chosen) == "door"
+    assert "Compiling for impacts on a door" in browser.find_element(CSS, ".preparing").text
+    time.sleep(1.5)  # it is asked for again, and nothing else is
+    assert browser.execute_script(chosen) == "door"
+    assert browser.find_element(ID, "set-door_mass").is_displayed()
+    browser.find_element(CSS, "#set-obstacle option[value=wall]").click()
+    until(lambda: not browser.find_element(CSS, ".preparing").is_displayed(), "the wall")
+    browser.execute_script(BACK, "?obstacle=door&door_mass=12")
+    assert browser.execute_script(chosen) == "door"  # before anything is answered
+    assert browser.find_element(ID, "set-door_mass").get_attribute("value") == "12"
+    assert [text for text in errors(browser) if "503" not in text] == []
+
+
+def test_the_energy_of_a_door_is_stacked_below_what_was_put_in(browser: Any, lab: str) -> None:
+    opened(browser, f"{lab}?obstacle=door&robot=arq&door_mass=2")
+    energy = shown(browser)["energy"]
+    names = [one["name"] for one in energy]
+    assert {"moving obstacles", "lost in obstacles"} < set(names)
+    assert names[-1] == "put in"
+    stack, line = energy[-2], energy[-1]
+    assert stack["peak"] == pytest.approx(line["peak"], rel=2e-3)
+
+
 def test_a_file_can_be_taken_away(browser: Any, lab: str) -> None:
     opened(browser, f"{lab}?stiffness=2.6")
     links = [a.get_attribute("href") for a in browser.find_elements(CSS, ".files a")]

@@ -111,6 +111,20 @@ def test_kinds_are_prepared_aside_and_what_is_asked_for_comes_next() -> None:
     assert order[0] == kind_of(AT_START[0]) or order[0] == kind_of(wanted)
 
 
+@pytest.mark.parametrize(("words", "said"), [
+    ({"obstacle": "window"}, "impacts on a window, free"),
+    ({"obstacle": "door"}, "impacts on a door, free"),
+    ({"obstacle": "door", "mode": "flight"}, "flights into a door, recovery by a quintic"),
+    ({"obstacle": "ball", "mode": "flight"}, "hits on a hovering robot by a ball, recovery by a quintic"),
+    ({"surface": "mat"}, "impacts on a mat, on the slider"),
+])  # fmt: skip
+def test_while_it_compiles_the_chosen_obstacle_is_named(words: dict[str, str], said: str) -> None:
+    """All shapes are one kind to the compiler; who chose a window is not told of poles."""
+    (refusal,) = asked(RequestQueue(lambda one: {}, threads=1, prepared=()), (setting(**words), ""))
+    assert isinstance(refusal, NotReady)
+    assert refusal.words == said
+
+
 # -- served ---------------------------------------------------------------------------------------
 
 

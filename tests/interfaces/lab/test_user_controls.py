@@ -2,13 +2,14 @@
 
 import math
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 pytest.importorskip("starlette", reason="the lab needs the extra web")
 
 from builders.cases import nonempty
-from interfaces.lab.user_files import setting, table_of
+from interfaces.lab.user_files import FILE, setting, table_of
 from springback.errors import InputError
 from springback.interfaces.lab.app import page
 from springback.interfaces.lab.controls import NoControl
@@ -60,16 +61,46 @@ def test_a_control_changes_its_field_and_no_other(name: str, file: Path) -> None
 
 
 def test_speed_pitch_and_yaw_change_the_start_as_far_as_they_differ(file: Path) -> None:
-    """Yaw is against the wall, which may face anywhere."""
+    """As in the file the yaw is that of the world, whatever way a wall faces."""
     wall = 'world.obstacles=[{type = "wall", position = [0, 3, 0], normal = [0, -1, 0], surface = "wall"}]'
     changes = ["start.velocity=[0.6, 0.8, 0]", "start.yaw=100 deg", "start.position=[0, 0, 1]"]
     table = table_of(file, wall, *changes)
-    assert (table().speed, table().yaw) == (1.0, 10.0)
-    start = lab_scenario(setting(table, speed=2, pitch=-5, yaw=25), "mine").start
+    opens: Any = table()
+    assert (opens.speed, opens.start_yaw, opens.yaw) == (1.0, 100.0, 10.0)
+    start = lab_scenario(setting(table, speed=2, pitch=-5, start_yaw=115), "mine").start
     assert start.velocity == pytest.approx((1.2, 1.6, 0.0))
     assert math.degrees(start.pitch) == pytest.approx(-5.0)
     assert math.degrees(start.yaw) == pytest.approx(115.0)
     assert start.position == (0.0, 0.0, 1.0)
+
+
+@pytest.mark.parametrize("yaw", ["0", "37.5 deg", "-90 deg", "200 deg"])
+def test_the_yaw_of_a_file_comes_back_as_it_was(file: Path, tmp_path: Path, yaw: str) -> None:
+    """From the file into the lab, to another yaw and back, and into a file: to the last bit."""
+    wall = 'world.obstacles=[{type = "wall", position = [0, 3, 0], normal = [0, -1, 0], surface = "wall"}]'
+    table = table_of(file, wall, f"start.yaw={yaw}", "start.velocity=[0, 1, 0]")
+    opens: Any = table()
+    given = table.user.scenario if table.user else None
+    assert given is not None
+    there = math.remainder(math.degrees(given.start.yaw), 360.0)
+    assert opens.start_yaw == pytest.approx(there, abs=1e-4)
+    assert control_of("start_yaw", table).when == {"mode": ("file",)}
+    assert "file" not in control_of("yaw", table).when["mode"]
+    back = setting(table, start_yaw=opens.start_yaw)
+    saved = tmp_path / "back.toml"
+    saved.write_text(lab_toml(back, "mine"), encoding="utf-8")
+    assert read_scenario(saved).start == given.start
+    turned = lab_scenario(setting(table, start_yaw=12), "mine").start
+    assert math.degrees(turned.yaw) == pytest.approx(12.0)
+    again = setting(table_of(saved), start_yaw=12)
+    assert lab_scenario(again, "mine").start == turned
+
+
+def test_a_pilot_who_begins_by_himself_has_no_yaw_to_set(file: Path) -> None:
+    holds = 'reference={type = "hold", position = [0, 0, 1]}'
+    file.write_text(f'vehicle = "quad"\n{FILE}'.replace('thrust = "hover"', ""), encoding="utf-8")
+    table = table_of(file, holds)
+    assert "start_yaw" not in fields_of(table)
 
 
 def test_a_name_cannot_leave_its_place_in_the_page(file: Path) -> None:

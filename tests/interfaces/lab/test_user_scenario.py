@@ -63,7 +63,7 @@ def test_a_quaternion_opens_as_angles_and_is_changed_as_angles(tmp_path: Path) -
     words = f"quaternion = [{math.cos(half)}, 0, {math.sin(half)}, 0]\ntouch_distance = 0"
     path.write_text((FILE + VEHICLE).replace('pitch = "10 deg"', words), encoding="utf-8")
     table = table_of(path)
-    assert (table().pitch, table().yaw) == (10.0, 0.0)
+    assert (table().pitch, table().yaw, table().start_yaw) == (10.0, 0.0, 0.0)  # type: ignore[attr-defined]
     assert lab_scenario(table(), "mine") == read_scenario(path)
     start = lab_scenario(setting(table, pitch=20.0), "mine").start
     assert (start.quaternion, start.touch_distance) == (None, 0.0)
@@ -123,9 +123,22 @@ def test_a_file_with_a_shape_opens_and_is_flown_as_it_is(tmp_path: Path) -> None
     path.write_text(FILE.replace(wall, pole) + VEHICLE, encoding="utf-8")
     table = table_of(path)
     [shown] = answer(table())["flights"]
-    assert "hits the obstacle at" in shown["sentence"]
+    assert "hits the pole at" in shown["sentence"]
     assert [one["name"] for one in shown["scene"]["obstacles"]] == ["pole"]
     assert fly(lab_scenario(table(), "mine")).measures == fly(read_scenario(path)).measures
+
+
+@pytest.mark.parametrize(
+    ("distance", "word"), [(2.75, "the wall"), (5.0, "the pole"), (2.71, "the wall")]
+)
+def test_of_several_obstacles_the_one_that_is_touched_first_is_named(
+    file: Path, distance: float, word: str
+) -> None:
+    """A pole whose front is at 2.72 m, and a wall before, behind or far behind it."""
+    there = f'{{type = "wall", distance = {distance}, surface = "wall"}}'
+    pole = '{type = "pole", position = [2.82, 0.25, 0], radius = 0.05, surface = "wall"}'
+    [shown] = answer(table_of(file, f"world.obstacles=[{there}, {pole}]")())["flights"]
+    assert f"Mine hits {word} at" in shown["sentence"]
 
 
 def test_a_hull_that_sticks_out_touches_first(file: Path) -> None:
@@ -213,7 +226,7 @@ def test_code_and_a_vehicle_file_of_ones_own_are_found_beside_the_scenario(tmp_p
 
 def test_the_downloaded_file_flies_to_the_numbers_of_the_page(file: Path, tmp_path: Path) -> None:
     asked = setting(table_of(file), length=231.7, body_mass=1.37, inertia="scale", speed=3.1,
-                    yaw=7.3, surface="own", friction=0.3, beside="twin")  # fmt: skip
+                    start_yaw=7.3, surface="own", friction=0.3, beside="twin")  # fmt: skip
     shown = answer(asked)
     assert [one["label"] for one in shown["flights"]] == ["Mine", "Mine, rigid"]
     for robot in ("mine", "twin"):

@@ -326,6 +326,39 @@ def test_built_in_bodies_are_seen_and_an_opening_is_open(driver: Any, tmp_path: 
     assert complaints(driver) == []
 
 
+def test_what_is_above_the_ground_casts_a_shadow_and_kinds_are_told_apart(
+    driver: Any, tmp_path: Path
+) -> None:
+    """Straight below, as wide as it is; that of a ball on a rod goes with it."""
+    ball = {
+        "type": "sphere", "position": [3.6, 1.0, 1.0], "radius": 0.3, "surface": "wall",
+        "motion": {"type": "pendulum", "mass": 1.0, "pivot": [3.6, 0.5, 2.5]},
+    }  # fmt: skip
+    box = {"type": "box", "position": [2.9, -0.6, 1.2], "size": [0.4, 0.8, 0.2], "surface": "wall"}
+    ground = {"type": "ground", "surface": "wall", "height": 0.1}
+    flight = fly(TABLES | {"world": {"obstacles": [ball, box, ground]}})
+    path = tmp_path / "yard.html"
+    export_page(replay_of([flight]), path)
+    opened(driver, path)
+    for t in (0.0, 0.3):
+        driver.execute_script("window.springback.player.seek(arguments[0])", t)
+        of_box, of_ball = driver.execute_script("return window.springback.scene.shadows()")
+        assert of_box == pytest.approx([2.7, -1.0, 0.102, 3.1, -0.2, 0.102], abs=1e-3)
+        x, y = (float(np.interp(t, flight.t, flight.columns[f"obstacle0_{a}"])) for a in "xy")
+        around = [x - 0.3, y - 0.3, 0.102, x + 0.3, y + 0.3, 0.102]
+        assert of_ball == pytest.approx(around, abs=6e-3)  # of a sphere of triangles
+    assert abs(y - 1.0) > 0.05
+    shades = dict(
+        driver.execute_script(
+            "return [...document.querySelectorAll('.scene-legend .obstacle')]"
+            ".map((one) => [one.textContent, one.style.getPropertyValue('--colour')])"
+        )
+    )
+    assert set(shades) == {"ground", "box", "sphere, moving"}
+    assert len(set(shades.values())) == 3
+    assert complaints(driver) == []
+
+
 def test_bodies_of_two_flights_stand_apart_or_are_one(driver: Any, tmp_path: Path) -> None:
     """Side by side as far apart as they are wide, one over the other once; wide ones always so."""
     apart = """

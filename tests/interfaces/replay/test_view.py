@@ -23,6 +23,7 @@ from pathlib import Path
 import pytest
 
 from springback.errors import InputError
+from springback.interfaces.cli.view import spinner_label
 from springback.interfaces.replay.labels import difference, labels_of, scenes_of
 from springback.interfaces.replay.viewer import flights_of, replay_of, twin_words
 from springback.interfaces.reports.flight_files import write_flight
@@ -146,6 +147,16 @@ def test_the_bundle_carries_its_licences() -> None:
 
 
 # -- flights --------------------------------------------------------------------------------------
+
+
+def test_while_it_waits_it_says_what_it_does(folder: Path) -> None:
+    """A stored flight is read and drawn; only what is flown is compiled for."""
+    assert "compiled" not in spinner_label([folder])
+    assert spinner_label([folder]).startswith("reading the flight")
+    assert "compiled" in spinner_label([folder, Path("scenario.toml")])
+    assert "compiled" in spinner_label(
+        [folder, Path("17")]
+    )  # the number of a row, which is flown again
 
 
 def test_a_twin_differs_in_its_arms(flight: Flight) -> None:

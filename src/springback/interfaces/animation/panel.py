@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable, Sequence
+from itertools import cycle
 from typing import Any
 
 import numpy as np
 from matplotlib.artist import Artist
 from matplotlib.axes import Axes
 from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.colors import to_hex, to_rgb
 from matplotlib.lines import Line2D
 from matplotlib.patches import PathPatch, Polygon
 from matplotlib.path import Path
@@ -45,8 +47,10 @@ Outlines = Callable[[Drawable, ViewPlane], list[Array]]
 """Outlines of an obstacle in a view [m]."""
 
 MATTER = {"wall": "#B9C0C8", "mat": "#C9D8C4", "ground": "#CFC9BE"}
-BEHIND = "#E3E6EA"
-"""Bodies in front of and behind the plane of a view."""
+SHADES = ("#B9C0C8", "#CDBFAF", "#B3C6BA", "#C6BBCE", "#B2C6D1", "#D3BFBD")
+"""Quiet colours of obstacles cut by the plane of a view, each kind its own, the first of walls."""
+LIGHTER = 0.6
+"""Chosen: share of white in the colour of bodies in front of and behind that plane."""
 FAR = 30.0
 """Size of half planes, larger than any view [m]."""
 THRUST_BAR = 0.10
@@ -110,26 +114,27 @@ class ScenePanel:
     def _obstacles(self, unit: float) -> None:
         """Outlines of bodies, faces, sections of bodies, and the ground, which hides their feet."""
         edge: dict[str, Any] = {"ec": "#7B838C", "lw": 0.8 * unit}
+        shades = shades_of(self.scene.obstacles)
         bodies = [thing for thing in self.scene.obstacles if thing.vertices is not None]
         for thing in bodies:
-            self._area(thing, silhouette, fc=BEHIND, ec="#AEB5BD", lw=0.6 * unit)
+            fill = lighter(shades[kind_of(thing)])
+            self._area(thing, silhouette, fc=fill, ec="#AEB5BD", lw=0.6 * unit)
         walls = [thing for thing in self.scene.obstacles if thing.normal]
         for thing in walls:
             if thing.kind != "ground":
-                self._face(thing, edge)
+                self._face(thing, shades[kind_of(thing)], edge)
         for thing in bodies:
             if thing.normals is None:
-                self._area(thing, section_outlines, fc=MATTER["wall"], **edge)
+                self._area(thing, section_outlines, fc=shades[kind_of(thing)], **edge)
             else:  # a piece of a surface
                 pieces = list(plane_section(thing, self.view))
                 mesh = LineCollection(pieces, colors=GREY, linewidths=1.6 * unit)
                 self.animate(self.ax.add_collection(mesh))
         for thing in walls:
             if thing.kind == "ground":
-                self._face(thing, edge)
+                self._face(thing, MATTER["ground"], edge)
 
-    def _face(self, thing: Drawable, edge: dict[str, Any]) -> None:
-        colour = MATTER.get(thing.kind, MATTER["wall"])
+    def _face(self, thing: Drawable, colour: str, edge: dict[str, Any]) -> None:
         depths = (0.0, thing.thickness) if thing.thickness else (0.0,)
         for depth, fill in zip(depths, (colour, MATTER["wall"]), strict=False):
             self._area(thing, functools.partial(_behind, depth), fc=fill, **edge)
@@ -186,6 +191,25 @@ class ScenePanel:
             for j, force in enumerate(pose.force)
             if np.linalg.norm(force) * newton > FAINT
         ])  # fmt: skip
+
+
+def kind_of(thing: Drawable) -> str:
+    """Name of what an obstacle is drawn as, each in one colour."""
+    moving = ", moving" if thing.track >= 0 else ""
+    return f"{thing.name}{moving}" if thing.vertices is not None else thing.kind
+
+
+def shades_of(obstacles: Sequence[Drawable]) -> dict[str, str]:
+    """Colours of obstacles by their kinds: mat and ground have their own, a wall the first."""
+    kinds = list(dict.fromkeys(map(kind_of, obstacles)))
+    others = sorted((kind for kind in kinds if kind not in ("mat", "ground")), key="wall".__ne__)
+    return MATTER | dict(zip(others, cycle(SHADES), strict=False))
+
+
+def lighter(colour: str) -> str:
+    """A colour mixed with white."""
+    mixed = (1.0 - LIGHTER) * np.array(to_rgb(colour)) + LIGHTER
+    return str(to_hex(mixed.tolist()))
 
 
 class RobotLines:

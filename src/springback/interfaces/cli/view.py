@@ -12,6 +12,8 @@ import click
 from springback.errors import InputError
 from springback.interfaces.cli.common import FIRST, PATH, Terminal, say, terminal_options
 
+READING = "reading the flight, evaluating its contact forces again, and drawing it"
+"""Label of the spinner where all results are folders of flights: nothing is flown."""
 #: Most digits of a word that is read as the number of a row.
 MOST_DIGITS = 18
 
@@ -60,7 +62,7 @@ def view(
     if export is None:
         needs("uvicorn", "web")
         needs("starlette", "web")
-    with terminal.spinner(f"reading and {FIRST}"):
+    with terminal.spinner(spinner_label(results)):
         page = replay_of(*_flights(results, twin, terminal))
     if export is not None:
         export_page(page, export, force=force)
@@ -70,6 +72,12 @@ def view(
     from springback.interfaces.web.server import serve
 
     serve(replay_app(page), host=host, port=port, what="replay", browser=not no_browser)
+
+
+def spinner_label(results: Sequence[Path]) -> str:
+    """Label of the spinner, by what is to be flown: scenario files, and rows of campaigns."""
+    stored = all(one.is_dir() and one.suffix.lower() != ".toml" for one in results)
+    return READING if stored else f"reading and {FIRST}"
 
 
 def _flights(

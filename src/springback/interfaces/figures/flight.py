@@ -6,6 +6,7 @@ No physics is computed here: every number is a measure or a column of the trajec
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from textwrap import fill
 from typing import Any
 
 import numpy as np
@@ -23,13 +24,18 @@ from springback.interfaces.figures.panels import (
     arms_of,
     body_curves,
     contacts,
+    hinge_curves,
     short,
     stacked_panels,
 )
-from springback.interfaces.figures.style import WIDTH, StyledFigure, in_style
+from springback.interfaces.figures.style import WIDTH, StyledFigure, escape, in_style
 from springback.interfaces.output.robots import BLUE, GREEN, GREY, INK, ORANGE, PINK, RED, SKY
 from springback.results.flight import Flight
+from springback.results.result import NAMED
 
+#: Longest name of a scenario in a title, and longest lines of that and below it [characters]; room
+#: for the legend below those [points] (chosen).
+LONGEST_NAME, TITLE, TOUCHED, ABOVE = 50, 52, 58, 16.0
 #: An arm that gives less than this is drawn as a flat line [mm] (chosen: the width of that line).
 STIFF = 0.02
 
@@ -51,7 +57,8 @@ def flight_figure(flight: Flight) -> Figure:
         raise InputError("this flight has no trajectory: fly it with trajectory=True")
     if flight.is_piloted:
         shades = contacts(flight.columns)
-        return stacked_panels(guided_panels(flight), "Time [s]", shades, height=1.15)
+        figure = stacked_panels(guided_panels(flight), "Time [s]", shades, height=1.15)
+        return with_title(figure, flight)
     return _motion(flight)
 
 
@@ -93,7 +100,8 @@ def _motion(flight: Flight) -> Figure:
         panels.append(panel("Arm length [mm]", lengths, STIFF))
     if "bend1" in c:
         bends = alike("arm", [(j, 1e3 * c[f"bend{j}"]) for j in arms])
-        panels.append(panel("Arm bend, second joint [mm]", bends, STIFF))
+        panels.append(panel("2nd joint [mm]", bends, STIFF))
+    panels += [panel(label, curves) for label, curves in hinge_curves(flight)]
     panels += [
         panel(f"{what} [N]", curves)
         for what, curves in (("Normal force", _forces(c, "fn")), ("Friction", _forces(c, "ff")))
@@ -101,7 +109,20 @@ def _motion(flight: Flight) -> Figure:
     ]
     shades = [(t(start), t(end)) for start, end in contacts(c)]
     time = "Time [s]" if touch is None else "Time from first touch [ms]"
-    return stacked_panels(panels, time, shades)
+    return with_title(stacked_panels(panels, time, shades), flight)
+
+
+def with_title(figure: Figure, flight: Flight) -> Figure:
+    """A figure with the name of the scenario, the outcome, and what was touched above it."""
+    name = short(flight.scenario.name, LONGEST_NAME)
+    said = fill(f"{name}: {flight.message}", TITLE)
+    figure.suptitle(escape(said), x=0.01, ha="left", weight="bold")
+    met = [one.obstacle for one in flight.obstacle_contacts]
+    if met:
+        more = f"; and {len(met) - NAMED} more" if len(met) > NAMED else ""
+        words = f"touched: {'; '.join(met[:NAMED])}{more}"
+        figure.axes[0].set_title(escape(fill(words, TOUCHED)), weight="normal", pad=ABOVE)
+    return figure
 
 
 def _forces(columns: Mapping[str, Array], kind: str) -> list[tuple[str, Array]]:

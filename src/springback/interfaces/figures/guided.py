@@ -4,7 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from springback.interfaces.figures.panels import Array, Curve, Panel, alike, arms_of, body_curves
+from springback.interfaces.figures.panels import (
+    Array,
+    Curve,
+    Panel,
+    alike,
+    arms_of,
+    body_curves,
+    hinge_curves,
+)
 from springback.interfaces.figures.style import Look
 from springback.interfaces.output.robots import BLUE, GREY, ORANGE
 from springback.results.flight import Flight
@@ -37,13 +45,13 @@ def tilt(columns: dict[str, Array], prefix: str = "q") -> Array:
 
 
 def guided_panels(flight: Flight) -> list[Panel]:
-    """Panels: position, velocity, attitude, tilt, thrusts, arms, normal forces, estimation error.
+    """Panels: position, velocity, attitude, tilt, thrusts, hinges, normal forces, estimation error.
 
     Panels without data in the telemetry (reference, attitude set-point, estimate) are left out.
     """
     return [
         *_positions(flight), _velocities(flight), *_attitudes(flight), _thrusts(flight),
-        *_impacts(flight), *_estimate(flight),
+        *_hinges(flight), *_impacts(flight), *_estimate(flight),
     ]  # fmt: skip
 
 
@@ -92,6 +100,15 @@ def _thrusts(flight: Flight) -> Panel:
         bounds = np.array([rotors.most, rotors.most, np.nan, rotors.least, rotors.least])
         curves.append(Curve("limits", t[[0, -1, -1, 0, -1]], bounds, LIMIT))
     return Panel("Thrust [N]", curves)
+
+
+def _hinges(flight: Flight) -> list[Panel]:
+    """Panels of the hinges of arms that fold, if there are any."""
+    t = flight.columns["t"]
+    return [
+        Panel(label, [Curve(name, t, values) for name, values in curves])
+        for label, curves in hinge_curves(flight)
+    ]
 
 
 def _impacts(flight: Flight) -> list[Panel]:

@@ -11,8 +11,11 @@ from matplotlib.axes import Axes
 
 from springback.interfaces.figures.chart import AREA, Chart
 from springback.interfaces.figures.style import LOOKS, WIDTH, Look, StyledFigure
+from springback.results.flight import Flight
+from springback.results.joints.hinges import has_hinges, hinge_histories
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
+Curves = list[tuple[str, Array]]
 ROUNDING = 1e-6
 """A curve that varies less than this is drawn as a flat line, not magnified."""
 
@@ -157,3 +160,22 @@ def alike(what: str, curves: list[tuple[int, Array]]) -> list[tuple[str, Array]]
 def short(name: str, most: int = 24) -> str:
     """Name shortened to fit into a legend."""
     return name if len(name) <= most else name[: most - 1] + "…"
+
+
+def hinge_curves(flight: Flight) -> list[tuple[str, Curves]]:
+    """Labels of panels and their curves: angles and torques of arms; none where none can turn.
+
+    Args:
+        flight: With its trajectory.
+    """
+    if not has_hinges(flight.scenario.vehicle):
+        return []
+    found = hinge_histories(flight)
+    panels = []
+    for joint, name in {1: "Hinge", 2: "2nd hinge"}.items():
+        own = [one for one in found if one.joint == joint]
+        if own:
+            angles = alike("arm", [(one.arm, np.degrees(one.angle)) for one in own])
+            torques = alike("arm", [(one.arm, one.torque) for one in own])
+            panels += [(f"{name} [deg]", angles), (f"{name} [N m]", torques)]
+    return panels

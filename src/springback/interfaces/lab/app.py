@@ -166,12 +166,12 @@ async def _invalid(request: Request, error: Exception) -> Response:
 
 async def _not_ready(request: Request, error: Exception) -> Response:
     assert isinstance(error, NotReady)
-    line = f"compiling for {error.kind.words}: {error.waited:.0f} s so far"
+    line = f"compiling for {error.words}: {error.waited:.0f} s so far"
     return JSONResponse(
         {
             "errors": [line],
             "preparing": {
-                "what": error.kind.words, "waited": error.waited, "about": error.kind.about,
+                "what": error.words, "waited": error.waited, "about": error.kind.about,
             },
         },
         503, {"retry-after": "1"},

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
+from springback.contact.parameters import Mat
 from springback.interfaces.lab.obstacles import WORDS, obstacle_of
 from springback.interfaces.lab.scenarios import is_piloted
 from springback.interfaces.lab.settings import (
@@ -23,6 +25,8 @@ from springback.paper.printed import (
     TABLE_III,
     PrintedImpact,
 )
+from springback.results.contacts.places import contact_places
+from springback.results.contacts.spans import contact_spans
 from springback.results.flight import Flight
 from springback.simulation.measuring.measures import Outcome
 
@@ -31,6 +35,10 @@ EARTH = 9.81
 #: Pitch [deg] and speed [m/s] of the collision whose largest pitches are printed, and these [deg].
 FASTEST = (0.0, 3.5)
 PITCHES = dict(zip(("nose_up", "nose_down"), RECOVERY_PITCH, strict=True))
+
+
+#: Article of an obstacle's word.
+_ARTICLE = re.compile("^(an?|the) ")
 
 
 class Measure(NamedTuple):
@@ -144,7 +152,7 @@ def printed_success(settings: LabSettings, robot: str) -> str:
 
 
 def went_well(settings: LabSettings, flight: Flight) -> bool:
-    """True if the robot left the wall as it should: recovered, if it has a pilot of the lab."""
+    """True if the robot left what it hit as it should: recovered, if it has a pilot of the lab."""
     if settings.mode == "flight":
         return flight.outcome is Outcome.RECOVERED
     if is_piloted(settings):
@@ -161,7 +169,7 @@ def sentence(settings: LabSettings, robot: str, flight: Flight) -> str:
         window = obstacle_of(settings) == "window" and not is_piloted(settings)
         return f"{name} {'flies through the window and ' if window else ''}touches nothing."
     hits = "is hit by" if obstacle_of(settings) == "ball" else "hits"
-    words = f"{name} {hits} the {_target(settings)} at {m['touch_speed']:.2f} m/s"
+    words = f"{name} {hits} {_target(settings, flight)} at {m['touch_speed']:.2f} m/s"
     again, lasted = m["restitution_at_separation"], m["contact_time"]
     if again is not None and lasted is not None:
         left = again * m["touch_speed"]
@@ -171,16 +179,26 @@ def sentence(settings: LabSettings, robot: str, flight: Flight) -> str:
     return f"{words}; {_ending(settings, flight)}."
 
 
-def _target(settings: LabSettings) -> str:
-    """Word for what is hit."""
+def _target(settings: LabSettings, flight: Flight) -> str:
+    """What is hit, with its article."""
     user = settings.user
     if obstacle_of(settings) != "wall":
-        return WORDS.get(settings.obstacle, settings.obstacle)
-    if user is not None and user.target is not None and settings.surface in ("file", "own"):
-        return user.target.type
+        return f"the {WORDS.get(settings.obstacle, settings.obstacle)}"
     if user is not None and settings.mode == "file":
-        return "wall" if user.target is not None else "obstacle"
-    return "mat" if settings.surface == "mat" else "wall"
+        return _touched_first(flight)
+    if isinstance(getattr(user, "target", None), Mat) and settings.surface in ("file", "own"):
+        return "the mat"
+    return "the mat" if settings.surface == "mat" else "the wall"
+
+
+def _touched_first(flight: Flight) -> str:
+    """Obstacle of a file that was touched first, by its own word."""
+    spans = sorted(contact_spans(flight), key=lambda one: one.begin)[:1]
+    found = next(iter(contact_places(flight, spans)), None)
+    if found is None:
+        return "the obstacle"
+    word = found.obstacle.rpartition(", ")[2]
+    return f"the {_ARTICLE.sub('', word)}"
 
 
 def _ending(settings: LabSettings, flight: Flight) -> str:

@@ -25,6 +25,12 @@ SWING_STEPS = 200
 #: Shapes of obstacles that have another name here, and words for what is hit where it is no shape.
 SHAPES = {"ball": "sphere", "door": "box"}
 WORDS = {"robot": "other robot"}
+#: What is hit, with its article.
+WITH_ARTICLE = {
+    "wall": "a wall", "pole": "a pole", "edge": "an edge", "sphere": "a sphere",
+    "window": "a window", "slope": "a slope", "net": "a net", "ball": "a swinging ball",
+    "door": "a door", "robot": "another robot",
+}  # fmt: skip
 #: Width and height of a net [m] (chosen).
 NET = (2.0, 1.0)
 

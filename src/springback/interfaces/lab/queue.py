@@ -21,7 +21,12 @@ from concurrent.futures import ThreadPoolExecutor
 from typing import Any, NamedTuple
 
 from springback.errors import InputError
-from springback.interfaces.lab.obstacles import MOVING, is_on_slider, obstacle_of
+from springback.interfaces.lab.obstacles import (
+    MOVING,
+    WITH_ARTICLE,
+    is_on_slider,
+    obstacle_of,
+)
 from springback.interfaces.lab.responses import answer
 from springback.interfaces.lab.scenarios import is_piloted, lab_scenario, robots_of
 from springback.interfaces.lab.settings import DEFAULTS, LabSettings, is_default
@@ -40,9 +45,9 @@ ABOUT, ABOUT_PILOTED = 30, 90
 SHAPE = "shape"
 _PLACES = {
     "mat": "a mat", SHAPE: "poles, windows and the like", "moving": "what moves",
-    "ball": "a hovering robot by a ball", "door": "a door",
-    "robot": "another robot",
+    "ball": "a ball", "door": "a door", "robot": "another robot",
 }  # fmt: skip
+_HOVERING = "a hovering robot by a ball"
 _COUNTS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
            "eleven", "twelve")  # fmt: skip
 
@@ -59,12 +64,15 @@ class Kind(NamedTuple):
 
     @property
     def words(self) -> str:
-        """Description on the page."""
-        where = _PLACES.get(self.surface, "a wall")
+        """Description of all its flights."""
+        return self.words_with(_PLACES.get(self.surface, "a wall"))
+
+    def words_with(self, where: str) -> str:
+        """Description with what is hit, such as ``a door``."""
         what = f"impacts on {where}, {'on the slider' if self.guide == 'slider' else 'free'}"
         if self.mode == "flight":
-            into = "hits on" if self.surface == "ball" else "flights into"
-            what = f"{into} {where}, recovery {self.pilot}"
+            into = f"hits on {_HOVERING}" if self.surface == "ball" else f"flights into {where}"
+            what = f"{into}, recovery {self.pilot}"
         elif self.mode == "file":
             what = f"your scenario{', with its pilot' if self.pilot else ''}"
         if self.robots or self.arms != DEFAULTS.arm_count:
@@ -105,6 +113,12 @@ def _shape_of(settings: LabSettings) -> str:
     return "" if obstacle == "wall" else SHAPE
 
 
+def _words_of(settings: LabSettings, kind: Kind) -> str:
+    """Description of a kind with the obstacle that was chosen, where it has several."""
+    chosen = obstacle_of(settings)
+    return kind.words if chosen == "wall" else kind.words_with(WITH_ARTICLE[chosen])
+
+
 def _settings_of(request: Request) -> LabSettings:
     return request.settings if isinstance(request, Sweep) else request
 
@@ -141,9 +155,10 @@ AT_START = (
 class NotReady(Exception):  # a state, not an error
     """The kernels of a request are being compiled."""
 
-    def __init__(self, kind: Kind, waited: float) -> None:
-        """Kind being compiled, and for how long [s]."""
-        super().__init__(kind.words)
+    def __init__(self, kind: Kind, waited: float, words: str = "") -> None:
+        """Kind being compiled, for how long [s], and what was asked for, in words."""
+        self.words = words or kind.words
+        super().__init__(self.words)
         self.kind, self.waited = kind, waited
 
 
@@ -229,7 +244,7 @@ class RequestQueue:
                 self._todo.setdefault(kind, example_of(settings))
                 self._todo.move_to_end(kind, last=False)
             self._change.notify_all()
-        raise NotReady(kind, time.monotonic() - since)
+        raise NotReady(kind, time.monotonic() - since, _words_of(_settings_of(settings), kind))
 
     def is_ready(self, request: Request) -> bool:
         """True if the kernels of a request are compiled."""

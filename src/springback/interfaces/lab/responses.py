@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
 
 from springback.interfaces.lab.measures import measure_rows, printed_for, sentence, went_well
+from springback.interfaces.lab.obstacles import SHAPES, obstacle_of
 from springback.interfaces.lab.scenarios import (
     file_name,
     is_piloted,
@@ -27,19 +29,28 @@ from springback.results.flight import Flight, fly
 
 #: Panel of the energy balance among a scene's series, whose parts are stored or lost.
 ENERGY = "Energy"
-#: Parts of the energy balance in stacking order, with their labels on the page.
+#: Parts of the energy balance in stacking order, with their labels on the page.  Obstacles have
+#: what they hold beyond the least that they had, and those that are driven take what they are done.
 PARTS = {
     "energy_kinetic": "motion",
     "energy_springs": "arm springs",
     "energy_stops": "end stops",
     "energy_contact": "contact",
+    "energy_obstacles": "moving obstacles",
     "loss_arm": "lost in arms",
     "loss_contact": "lost in contact",
     "loss_friction": "lost in friction",
     "loss_stop": "lost in stops",
     "loss_settling": "lost in locking",
     "loss_air": "lost to air",
+    "loss_obstacles": "lost in obstacles",
+    "taken": "to driven obstacles",
 }
+#: Lines over the stack where obstacles move: what was put in, which the stack sums to, and what
+#: driven obstacles gave of it.
+PUT_IN = {"put_in": "put in", "given": "by driven obstacles"}
+#: Names of a balance in a world of two robots, each of which drives the other.
+OF_TWO = {"taken": "to the other robot", "given": "by the other robot"}
 #: Parts below this fraction of the largest are not plotted (chosen).
 TOO_SMALL = 1e-4
 #: Time resolution of curves and pose [s] (chosen: arms take some 20 ms to spring back).
@@ -51,6 +62,7 @@ PIECE = 0.5
 
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
+Columns = Mapping[str, Array]
 
 
 def answer(settings: LabSettings) -> dict[str, Any]:
@@ -107,16 +119,22 @@ def _flight_response(
 
 def _lab_scene(settings: LabSettings, flight: Flight, coarse: Flight, scene: Scene) -> Scene:
     """A scene with the curves of the lab in place of its own."""
-    energies = ledger(flight)
+    energies, paired = ledger(flight), flight.is_second or flight.second is not None
     series = (
         *curves(coarse, scene),
-        *energy_series(energies, np.searchsorted(energies["t"], scene.t)),
+        *energy_series(energies, np.searchsorted(energies["t"], scene.t), OF_TWO if paired else {}),
     )
     return replace(scene, series=series, obstacles=_nearby(settings, scene.obstacles))
 
 
 def _nearby(settings: LabSettings, things: tuple[Drawable, ...]) -> tuple[Drawable, ...]:
-    """Obstacles near the contact: for an impact only a piece of wall, to show robots large."""
+    """Obstacles near the contact: for an impact only a piece of wall, to show robots large.
+
+    What the page has another name for than the scenario, like a door, is called by that.
+    """
+    chosen = obstacle_of(settings)
+    shape = SHAPES.get(chosen)
+    things = tuple(one._replace(name=chosen) if one.name == shape else one for one in things)
     if settings.mode != "impact":
         return things
     found = []
@@ -187,12 +205,44 @@ def curves(flight: Flight, scene: Scene) -> Iterable[Series]:
     yield Series("Contact force", "sum of all contacts", "N", pushed)
 
 
-def energy_series(energies: dict[str, Any], places: Any) -> Iterable[Series]:
+def energy_series(
+    energies: Columns, places: Any, called: Mapping[str, str] = MappingProxyType({})
+) -> Iterable[Series]:
     """The energy balance as series: its significant parts, in stacking order.
 
-    What rotors, height and moving obstacles put in is no part of its own: it is the sum of all.
+    What rotors, height and driven obstacles put in is no part of its own: it is the sum of all.
+    Where obstacles move it is a line besides, from the other side of the ledger (`PUT_IN`).
+
+    Args:
+        energies: A ledger.
+        places: Rows that are shown.
+        called: Names of some parts in place of those of `PARTS` and `PUT_IN`.
     """
-    most = max(float(np.max(np.abs(energies[name]))) for name in PARTS)
+    parts, put_in = balance(energies)
+    most = max(float(np.max(np.abs(values))) for values in parts.values())
     for name, words in PARTS.items():
-        if float(np.max(np.abs(energies[name]))) > TOO_SMALL * most:
-            yield Series(ENERGY, words, "J", energies[name][places])
+        if float(np.max(np.abs(parts[name]))) > TOO_SMALL * most:
+            yield Series(ENERGY, called.get(name, words), "J", parts[name][places])
+    moved = (energies[name] for name in ("energy_obstacles", "loss_obstacles", "work_driven"))
+    if not any(float(np.max(np.abs(values))) > TOO_SMALL * most for values in moved):
+        return
+    for name, words in PUT_IN.items():
+        if float(np.max(np.abs(put_in[name]))) > TOO_SMALL * most:
+            yield Series(ENERGY, called.get(name, words), "J", put_in[name][places])
+
+
+def balance(energies: Columns) -> tuple[Columns, Columns]:
+    """Parts of the balance by the names of `PARTS`, and what was put in by those of `PUT_IN` [J].
+
+    The parts sum to ``put_in``: what there was at the start, with what obstacles lose at most, the
+    work of rotors, loss of height, and what driven obstacles gave.
+    """
+    e, driven = energies, energies["work_driven"]
+    least = min(0.0, float(np.min(e["energy_obstacles"])))
+    given, taken = np.maximum(driven, 0.0), np.maximum(-driven, 0.0)
+    own = {name: e[name] for name in PARTS if name != "taken"}
+    parts = own | {"energy_obstacles": e["energy_obstacles"] - least, "taken": taken}
+    begun = sum(float(values[0]) for values in parts.values())
+    work = e["work_thrust"] - e["work_thrust"][0]
+    height = e["energy_gravity"] - e["energy_gravity"][0]
+    return parts, {"put_in": begun + work - height + given, "given": given}

@@ -133,7 +133,7 @@ def _as_in_file(s: LabSettings, robot: str, user: UserScenario) -> Table:
         given["world"] = world | {"obstacles": faces}
     if not is_second_default(s):
         given["second"] = second_table(s, user)
-    of_first = ("speed", "pitch", "yaw", "surface", *_SURFACE, *VEHICLE_SETTINGS)
+    of_first = ("speed", "pitch", *_start_yaw(s), "surface", *_SURFACE, *VEHICLE_SETTINGS)
     as_given = is_default(s, *of_first) and is_second_default(s)
     if not as_given or robot not in ("mine", "file"):
         given["name"] = f"{robot_name(s, robot)}, {user.scenario.name}, changed"[:200]
@@ -154,14 +154,18 @@ def _start(s: LabSettings, user: UserScenario) -> Table:
     if not is_default(s, "speed") and user.speed:
         share = s.speed / math.hypot(*start.velocity)
         found["velocity"] = [share * v for v in start.velocity]
-    if not is_default(s, "pitch", "yaw") and found.pop("quaternion", None):
+    if not is_default(s, "pitch", *_start_yaw(s)) and found.pop("quaternion", None):
         found |= {"roll": roll, "pitch": pitch, "yaw": yaw}
     if not is_default(s, "pitch"):
         found["pitch"] = f"{digits(s.pitch)} deg"
-    if not is_default(s, "yaw"):
-        turned = math.degrees(yaw) + s.yaw - user.yaw
-        found["yaw"] = f"{digits(math.remainder(turned, 360.0))} deg"
+    if not is_default(s, *_start_yaw(s)):
+        found["yaw"] = f"{digits(getattr(s, *_start_yaw(s)))} deg"
     return found
+
+
+def _start_yaw(s: LabSettings) -> tuple[str, ...]:
+    """Name of the setting for the yaw of the file's start, if it can be set."""
+    return tuple(name for name in ("start_yaw",) if name in type(s).model_fields)
 
 
 def _with_surface(s: LabSettings, entry: Table, slides: bool) -> Table:
@@ -324,7 +328,7 @@ def _touch_of(text: str) -> float | None:
 
 
 def _flight(s: LabSettings, robot: str) -> Table:
-    """Run-up, collision and recovery; a yaw turns the wall, unknown to the pilot."""
+    """Run-up, collision and recovery; a yaw turns the obstacle, unknown to the pilot."""
     psi = math.radians(s.yaw)
     ahead = _ahead(s, slides=False, turned=-s.yaw)
     if s.yaw != 0.0 and obstacle_of(s) == "wall":
@@ -381,11 +385,19 @@ def _hover(s: LabSettings, given: Table) -> Table:
 # -- both -----------------------------------------------------------------------------------------
 
 
+#: Words for the surface of another obstacle than a wall.
+_ALONE = {
+    "wall": "surface of a wall", "mat": "surface of a mat", "own": "own surface",
+    "file": "surface of the file",
+}  # fmt: skip
+
+
 def _name(s: LabSettings, robot: str) -> str:
-    where = {"wall": "wall", "mat": "mat", "own": "own surface", "file": "wall of the file"}
+    kind = "wall" if s.user is None or s.user.target is None else s.user.target.type
+    where = {"wall": "wall", "mat": "mat", "own": "own surface", "file": f"{kind} of the file"}
     if obstacle_of(s) != "wall":
         what_is_hit = WORDS.get(s.obstacle, s.obstacle)
-        where = {name: f"{what_is_hit}, {words}" for name, words in where.items()}
+        where = {name: f"{what_is_hit}, {words}" for name, words in _ALONE.items()}
         if s.obstacle == "robot":
             where["wall"] = what_is_hit
     slides = ", slider" if is_on_slider(s) else ""

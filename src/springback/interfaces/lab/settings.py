@@ -205,7 +205,7 @@ class LabSettings(Settings):
     guide: Guides = "slider"
     speed: Annotated[float, SliderControl(
         "m/s", label="Speed", least=0.5, most=6.0, step=0.05, group="Collision",
-        marks=_SPEEDS, explains="Into the wall, at first touch; of the ball, into the robot.",
+        marks=_SPEEDS, explains="Into the obstacle, at first touch; of the ball, into the robot.",
     )] = SLIDER_SPEED  # fmt: skip
     pitch: Annotated[float, SliderControl(
         "deg", label="Pitch", least=-60.0, most=60.0, step=1.0, group="Collision",
@@ -214,8 +214,8 @@ class LabSettings(Settings):
     yaw: Annotated[float, SliderControl(
         "deg", label="Yaw", least=-45.0, most=45.0, step=1.0, group="Collision",
         marks=(SliderMark(0.0, "paper: all tests"),),
-        explains="Of the robot relative to the wall; at 45 deg one arm hits it. In flight the wall "
-        "is turned, and the robot hits it at an angle.",
+        explains="Of the robot against the obstacle; at 45 deg one arm hits a wall. In flight the "
+        "obstacle is turned, and the robot hits it at an angle.",
     )] = 0.0  # fmt: skip
     recovery: Recoveries = "pre-impact"
     obstacle: Obstacles = "wall"

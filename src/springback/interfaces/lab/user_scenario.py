@@ -121,6 +121,12 @@ class UserScenario:
         yaw = self.scenario.start.angles()[2]
         return _rounded(math.degrees(math.remainder(yaw - towards, math.tau)))
 
+    @property
+    def start_yaw(self) -> float:
+        """Yaw of its start in the world [deg], from −180 to 180."""
+        yaw = self.scenario.start.angles()[2]
+        return _rounded(math.degrees(math.remainder(yaw, math.tau)))
+
 
 def _face(obstacle: Wall | Mat) -> Plane:
     return obstacle.plane(obstacle.thickness if isinstance(obstacle, Mat) else 0.0)

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 from pydantic import create_model
 
-from springback.contact.parameters import Mat, SurfaceSettings
+from springback.contact.parameters import SurfaceSettings
 from springback.interfaces.lab.controls import ChoiceControl, SliderControl, SliderMark
 from springback.interfaces.lab.second_vehicle import second_fields
 from springback.interfaces.lab.settings import (
@@ -42,6 +42,7 @@ def user_settings(user: UserScenario) -> type[LabSettings]:
         "speed": _collision(user, "speed", user.speed),
         "pitch": _collision(user, "pitch", user.pitch),
         "yaw": _collision(user, "yaw", user.yaw),
+        **_start_yaw(user),
         **_surfaces(user),
         **_vehicle(user),
         **second_fields(user, WORDS),
@@ -54,8 +55,8 @@ def user_settings(user: UserScenario) -> type[LabSettings]:
 def _modes(user: UserScenario) -> Any:
     words = {"file": "As in file", "impact": "Impact", "flight": "Flight"}
     explains = (
-        "As in file: your start, walls and pilot. Impact: the collision alone, straight into one "
-        "wall with constant thrust. Flight: run-up, collision and recovery, with our pilot."
+        "As in file: your start, obstacles and pilot. Impact: the collision alone, straight into "
+        "one obstacle with constant thrust. Flight: run-up, collision and recovery, with our pilot."
     )
     default = "impact" if user.is_piloted and user.scenario.second is None else "file"
     return Annotated[str, ChoiceControl("Fly", words, explains)], default
@@ -93,12 +94,13 @@ def _collision(user: UserScenario, name: str, value: float | None) -> Any:
     assert isinstance(control, SliderControl)
     when: dict[str, tuple[str, ...]] = {}
     movable = user.run_up is not None if user.is_piloted else value is not None
-    if not movable or (user.is_piloted and name == "yaw"):
+    if not movable or name == "yaw":
         when = {"mode": ("impact", "flight")}
     explains = {
-        "speed": "Of the start, or of the run-up; of an impact, into the wall at first touch.",
+        "speed": "Of the start, or of the run-up; of an impact, into the obstacle at first touch.",
         "pitch": "Of the start, or of the run-up. Positive is nose down.",
-        "yaw": "Against the wall. In flight the wall is turned, and the robot hits it at an angle.",
+        "yaw": "Of the robot against the obstacle, not of the world. In flight the obstacle is "
+        "turned, and the robot hits it at an angle.",
     }
     if value is None:
         return Annotated[float, replace(control, when=when)], LabSettings().speed
@@ -108,9 +110,25 @@ def _collision(user: UserScenario, name: str, value: float | None) -> Any:
         least, most = -limit, limit
     marks = tuple(mark for mark in control.marks if mark.value != value)
     marks = (SliderMark(value, WORDS), *marks) if name != "yaw" else (SliderMark(value, WORDS),)
+    label = "Yaw against the obstacle" if name == "yaw" else control.label
     return Annotated[float, replace(
         control, least=least, most=most, marks=marks, when=when, explains=explains[name],
+        label=label,
     )], value  # fmt: skip
+
+
+def _start_yaw(user: UserScenario) -> dict[str, Any]:
+    """Yaw of the file's start, in the world's axes as in the file; none where a pilot begins."""
+    if user.is_piloted:
+        return {}
+    value = user.start_yaw
+    control = SliderControl(
+        "deg", label="Yaw of the start", least=-180.0, most=180.0, step=1.0, group="Collision",
+        marks=(SliderMark(value, WORDS),), when={"mode": ("file",)}, path="start.yaw",
+        explains="As in the file, in the world's axes: at 0 the robot faces north, along x; "
+        "positive is to the left.",
+    )  # fmt: skip
+    return {"start_yaw": (Annotated[float, control], value)}
 
 
 # -- surfaces -------------------------------------------------------------------------------------
@@ -122,11 +140,11 @@ def _surfaces(user: UserScenario) -> dict[str, Any]:
     assert isinstance(control, ChoiceControl)
     if user.surface is None:
         return {}
-    what = "mat" if isinstance(user.target, Mat) else "wall"
+    what = "wall" if user.target is None else user.target.type
     words = {"file": f"Your {what}", **control.words}
     explains = (
         f"Your {what}: that of the file. Wall and mat: those of Table II. Own: your {what} with "
-        "the numbers below. As in file they are those of every wall."
+        "the numbers below. As in file they are those of every wall and mat."
     )
     found: dict[str, Any] = {
         "surface": (Annotated[str, replace(control, words=words, explains=explains)], "file")
