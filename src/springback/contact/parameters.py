@@ -14,6 +14,7 @@ from springback.contact.surfaces import (
     Hysteresis,
     Surface,
 )
+from springback.errors import shown_value
 from springback.kernels.tracing import hypot, sqrt  # for batch set-up
 from springback.kernels.vectors import Vec
 from springback.quantities import Factor, Length, Speed, Triple, Unit
@@ -195,7 +196,7 @@ class PlaneSettings(Settings):
         if any(parts) if self.distance is not None else not all(parts):
             raise problem("needs either distance, or position and normal")
         if self.normal is not None and not hypot(*self.normal) > 0.0:
-            raise problem("must not be zero", "normal")
+            raise problem(f"must not be zero (got {shown_value(list(self.normal))})", "normal")
         return self
 
     def is_upright(self) -> bool:

@@ -22,6 +22,7 @@ from springback.contact.scene.solids import (
     WINDOW,
 )
 from springback.contact.scene.table import ENDLESS, Solid
+from springback.errors import shown_value
 from springback.frames import attitude_from_euler
 from springback.kernels.vectors import Quat, rotation
 from springback.quantities import Angle, Length, Pair, Triple, Unit
@@ -179,7 +180,7 @@ class AxisShape(SurfacedShape):
     @model_validator(mode="after")
     def _has_direction(self) -> AxisShape:
         if not math.hypot(*self.axis) > 0.0:
-            raise problem("must not be zero", "axis")
+            raise problem(f"must not be zero (got {shown_value(list(self.axis))})", "axis")
         return self
 
 

@@ -49,7 +49,7 @@ class Event(NamedTuple):
     Kinds of the whole vehicle, one after the other in every impact: ``touch``, ``peak`` and
     ``separation``; ``bottomed``, ``ground``, ``propeller`` and ``rotor`` once; ``alarm`` and
     ``phase`` of a recovery; ``settled``, when the arms are locked again; ``end``.  Kinds of one
-    part, a cage or the hull: ``contact`` and ``release``, ``stop`` and ``stop_release`` of an arm,
+    part, a guard or the hull: ``contact`` and ``release``, ``stop`` and ``stop_release`` of an arm,
     and ``broken``, once, of what is loaded beyond its limit.
     """
 
@@ -57,7 +57,7 @@ class Event(NamedTuple):
     """Instant [s]; that of a part is exact to one step of the integration."""
     kind: str
     label: str
-    """One or two words."""
+    """A few words."""
     text: str
     """A sentence without a full stop."""
     arm: int | None = None
@@ -164,7 +164,7 @@ def _overloads(flight: FlightResult) -> list[Event]:
             when, sentence = float(c["t"][beyond[0]]), f"{name}: more than {most:g} {unit}"
             if name in left:
                 sentence += f", {100.0 * left[name]:.3g} % of its stiffness is left"
-            found.append(Event(when, "broken", "broken", sentence, value=float(load.max())))
+            found.append(Event(when, "broken", f"{name} broken", sentence, value=float(load.max())))
     return found
 
 
@@ -215,7 +215,7 @@ def _settling(flight: FlightResult) -> Iterator[Event]:
 
 
 def _parts(flight: FlightResult, met: _Met) -> Iterator[Event]:
-    """Contacts of each cage and of the hull, and end stops of each arm."""
+    """Contacts of each guard and of the hull, and end stops of each arm."""
     c = flight.columns
     speed = np.sqrt(sum(c[f"v{axis}"] ** 2 for axis in "xyz"))
     for one, there in met:

@@ -43,9 +43,9 @@ class FlightMeasures:
     impact_peak_angular_rate: float | None
     """first impact: largest angular rate [rad/s]"""
     impact_peak_normal_force: float | None
-    """first impact: largest normal force of one cage, or of the main body [N]"""
+    """first impact: largest normal force of one guard, or of the main body [N]"""
     impact_penetration: float | None
-    """first impact: deepest penetration of a cage, or the main body [m]"""
+    """first impact: deepest penetration of a guard, or the main body [m]"""
     impact_arm_stroke: float | None
     """first impact: largest compression of an arm [m]"""
     impact_arm_extension: float | None
@@ -53,7 +53,7 @@ class FlightMeasures:
     contact_duration: float | None
     """whole flight: total time in contact, all contacts [s]"""
     peak_acceleration: float | None
-    """whole flight: largest |dv/dt| of the main body [m/s^2]"""
+    """whole flight: largest |dv/dt| of the main body; none if all contacts are impulses [m/s^2]"""
     peak_acceleration_time: float | None
     """time of it [s]"""
     peak_specific_force: float | None
@@ -61,9 +61,9 @@ class FlightMeasures:
     peak_angular_rate: float | None
     """whole flight: largest angular rate [rad/s]"""
     peak_normal_force: float | None
-    """whole flight: largest normal force of one cage, or of the main body [N]"""
+    """whole flight: largest normal force of one guard, or of the main body [N]"""
     penetration: float | None
-    """whole flight: deepest penetration of a cage, or the main body [m]"""
+    """whole flight: deepest penetration of a guard, or the main body [m]"""
     arm_stroke: float | None
     """whole flight: largest compression of an arm [m]"""
     arm_extension: float | None
@@ -83,7 +83,7 @@ class FlightMeasures:
     bottomed_time: float | None
     """an arm reached the end of its stroke [s]"""
     ground_time: float | None
-    """a cage or the hull touched the ground [s]"""
+    """a guard or the main body touched the ground [s]"""
     propeller_hit_time: float | None
     """a propeller was hit; needs propulsion.disk_radius [s]"""
     propellers_hit: float | None

@@ -50,6 +50,8 @@ _PRINCIPAL = (
     "recovered_runs",
 )  # fmt: skip
 
+#: Measures of arms that move.
+_OF_ARMS = ("impact_arm_stroke", "impact_arm_extension", "arm_stroke", "arm_extension")
 #: Accelerations below this are rounding [m/s²].
 ROUNDING = 1e-6
 #: Measures to be told of where they are not 0.
@@ -85,7 +87,7 @@ class ObstacleContact(NamedTuple):
     contacts: int
     """Number of contacts, those of each part for itself."""
     parts: tuple[str, ...]
-    """That touched it: cages, the main body."""
+    """That touched it: cages or other guards, the main body."""
     force: float
     """Largest normal force on one part [N]."""
     time: float
@@ -235,18 +237,22 @@ class FlightResult(FlightMeasures):
         return self.columns["t"]
 
     def readable_measures(self, *, all_of_them: bool = False) -> list[MeasureLine]:
-        """The principal measures for reading, angles in degrees, or all."""
+        """The principal measures for reading, angles in degrees, or all.
+
+        Of arms that are locked there are none.
+        """
         known = MEASURES | (RECOVERY_MEASURES if "runs" in self.measures else {})
         damage = [name for name in _DAMAGE if self.measures.get(name)]
         wanted = known if all_of_them else (*_PRINCIPAL, *damage)
-        names = [name for name in wanted if name in known]
+        locked = () if self.scenario.vehicle.is_compliant else _OF_ARMS
+        names = [name for name in wanted if name in known and name not in locked]
         return [MeasureLine(name, self.measures[name], *known[name]) for name in names]
 
     def __repr__(self) -> str:
         lines = [f"Flight {self.scenario.name!r}: {self.outcome.word} ({self.message})"]
         shown = self.readable_measures()
         width = max(len(line.name) for line in shown)
-        note = restitution_note(self.measures, self.columns)
+        note = restitution_note(self.measures, self.columns, self.scenario.vehicle.guard_word)
         whys = {
             "restitution_at_separation": f"; {note}" if note else "",
             "peak_acceleration": self._later_peak(),

@@ -25,6 +25,7 @@ from springback.contact.scene.nearest import distance_of
 from springback.contact.shapes import Box, ShapeSettings
 from springback.contact.surfaces import AnyExponent
 from springback.contact.worlds import Own, obstacles
+from springback.errors import shown_value
 from springback.kernels.memo import Build, plain_build
 from springback.kernels.routines import routines_compiled
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
@@ -235,7 +236,7 @@ def check_slider(scenario: ScenarioTables) -> None:
     if axis is None:
         return
     if not math.hypot(*axis) > 0.0:
-        raise problem("must not be zero", "model.slider")
+        raise problem(f"must not be zero (got {shown_value(list(axis))})", "model.slider")
     along, velocity = unit(Vec(*axis)), Vec(*scenario.start.velocity)
     across = velocity - (velocity @ along) * along
     if sqrt(across @ across) > 1e-9:
@@ -319,7 +320,8 @@ def _refuse_inside(
     name: str, one: Any, scenario: ScenarioTables, model: Model, state: State
 ) -> None:
     """Reject a start inside some obstacles, with their name."""
-    parts = [f"cage of arm {j}" for j in range(1, len(model.airframe.arms) + 1)] + ["main body"]
+    guard = scenario.vehicle.guard_word
+    parts = [f"{guard} of arm {j}" for j in range(1, len(model.airframe.arms) + 1)] + ["main body"]
     for part, gap in zip(parts, _gaps_of(one, model, state), strict=False):
         if gap < -LANDED:
             raise problem(

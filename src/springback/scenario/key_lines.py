@@ -11,6 +11,7 @@ import itertools
 import re
 from collections.abc import Generator, Iterator, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 from springback.problems import key_path
 
@@ -42,6 +43,44 @@ def line_of(text: str, path: Sequence[Key]) -> int | None:
     lines = _lines(text)
     known = (lines.get(tuple(path[:length])) for length in range(len(path), 0, -1))
     return next((line for line in known if line is not None), None)
+
+
+class RepeatedKey(NamedTuple):
+    """A key or table of a text for which there is no place."""
+
+    path: tuple[Key, ...]
+    holder: tuple[Key, ...]
+    """What is there already: the same path, or one that it would be inside."""
+    line: int
+    """Of that."""
+
+
+def repeated_key(text: str, line: int) -> RepeatedKey | None:
+    """The last key or table up to a line that was given before, or is inside of a value.
+
+    Args:
+        text: In TOML.
+        line: Where a parser found it repeated.
+    """
+    first: dict[tuple[Key, ...], int] = {}
+    found: RepeatedKey | None = None
+    path: tuple[Key, ...] = ()
+    here, counted = 1, 0
+    for at, keys in itertools.islice(_mentions(text), MOST_MENTIONS):
+        here, counted = here + text.count("\n", counted, at), at
+        if here > line:
+            break
+        path = tuple(keys)
+        before = first.setdefault(path, here)
+        is_new = found is None or path[: len(found.path)] != found.path
+        if before < here and is_new:
+            found = RepeatedKey(path, path, before)
+    if found is not None:
+        return found
+    for holder in (path[:length] for length in range(len(path) - 1, 0, -1)):
+        if holder in first:
+            return RepeatedKey(path, holder, first[holder])
+    return None
 
 
 @functools.lru_cache(maxsize=4)

@@ -15,6 +15,8 @@ from pathlib import Path
 from typing import Any
 
 from springback.errors import InputError
+from springback.problems import dotted_path
+from springback.scenario.key_lines import RepeatedKey, repeated_key
 
 #: Largest file that is read [B] (chosen: a plan of 100 000 explicit values has 2 MB).
 MOST_BYTES = 8_000_000
@@ -23,6 +25,9 @@ MOST_DEPTH = 32
 
 #: Place of an error, as parsers of TOML and JSON word it.
 _AT = re.compile(r"\(?(at )?line (?P<line>\d+),? column (?P<column>\d+).*")
+
+#: How the parser of TOML words a key or a table that is there already.
+_TWICE = ("Cannot overwrite a value", "Cannot declare")
 
 
 def source_text(path: Path) -> str:
@@ -91,11 +96,26 @@ def _parse(parse: Callable[[str], Any], language: str, text: str, name: str) -> 
         at = _AT.search(said)
         if at is None:
             raise InputError(f"{name}: is not {language}: {said}") from None
+        line = int(at["line"])
+        twice = repeated_key(text, line) if said.startswith(_TWICE) else None
+        if twice is not None:
+            raise InputError(f"{name}:{line}: {_repeated(twice)}") from None
         what = f"{said[: at.start()].rstrip(' :')}, column {at['column']}"
-        raise InputError(f"{name}:{at['line']}: is not {language}: {what}") from None
+        raise InputError(f"{name}:{line}: is not {language}: {what}") from None
     if isinstance(found, dict):
         check_depth(found, name)
     return found
+
+
+def _repeated(key: RepeatedKey) -> str:
+    """What is wrong with a key that is given twice, or inside of a value."""
+    path, holder = dotted_path(key.path), dotted_path(key.holder)
+    if path == holder:
+        return f"{path}: is given twice; the first is in line {key.line}"
+    return (
+        f"{path}: is inside of {holder}, which has a value in line {key.line}: make that a "
+        "table; a preset is its key preset"
+    )
 
 
 def check_depth(tables: Any, name: str) -> None:

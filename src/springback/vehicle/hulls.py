@@ -197,7 +197,7 @@ class RingHull(_Hull):
     @model_validator(mode="after")
     def _has_direction(self) -> RingHull:
         if not math.hypot(*self.axis) > 0.0:
-            raise problem("must not be zero", "axis")
+            raise problem(f"must not be zero (got {shown_value(list(self.axis))})", "axis")
         return self
 
     def form(self) -> HullForm:

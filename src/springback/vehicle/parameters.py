@@ -218,8 +218,8 @@ class Vehicle(Settings):
             away = hypot(*form.middle())
             if away > reach:
                 raise problem(
-                    f"must be within {reach:g} m, the reach of the longest arm with its cage, of "
-                    f"what it is fixed to (its middle is {away:.6g} m away)",
+                    f"must be within {reach:g} m, the reach of the longest arm with its "
+                    f"{self.guard_word}, of what it is fixed to (its middle is {away:.6g} m away)",
                     f"hulls[{k}]",
                 )
         for part in ("body", *range(1, self.arm_count + 1)):
@@ -311,6 +311,11 @@ class Vehicle(Settings):
     def has_shell(self) -> bool:
         """True if a hull turns by itself about the main body."""
         return any(one.bearings is not None for one in self.hulls)
+
+    @property
+    def guard_word(self) -> str:
+        """What an arm touches with, in words: its cage, or a guard that hulls describe."""
+        return "cage" if self.arms.cages else "guard"
 
     def reach(self) -> float:
         """Distance of its farthest cage or hull from the main body's centre, arms free [m].

@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field, model_validator
 
+from springback.errors import shown_value
 from springback.quantities import Angle, Mass, Triple, Unit
 from springback.settings import Settings, problem
 
@@ -39,7 +40,7 @@ class _GivenMotion(Settings):
     @model_validator(mode="after")
     def _has_direction(self) -> _GivenMotion:
         if not math.hypot(*self.axis) > 0.0:
-            raise problem("must not be zero", "axis")
+            raise problem(f"must not be zero (got {shown_value(list(self.axis))})", "axis")
         return self
 
 
@@ -158,7 +159,7 @@ class HingeMotion(_MassiveMotion):
     @model_validator(mode="after")
     def _is_a_hinge(self) -> HingeMotion:
         if not math.hypot(*self.axis) > 0.0:
-            raise problem("must not be zero", "axis")
+            raise problem(f"must not be zero (got {shown_value(list(self.axis))})", "axis")
         return self
 
 

@@ -5,7 +5,7 @@ No physics is computed here: every number is a measure or a column of the trajec
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from textwrap import fill
 from typing import Any
 
@@ -113,16 +113,22 @@ def _motion(flight: Flight) -> Figure:
 
 
 def with_title(figure: Figure, flight: Flight) -> Figure:
-    """A figure with the name of the scenario, the outcome, and what was touched above it."""
+    """A figure with the name of the scenario, the outcome, what was touched and broke above it."""
     name = short(flight.scenario.name, LONGEST_NAME)
     said = fill(f"{name}: {flight.message}", TITLE)
     figure.suptitle(escape(said), x=0.01, ha="left", weight="bold")
     met = [one.obstacle for one in flight.obstacle_contacts]
-    if met:
-        more = f"; and {len(met) - NAMED} more" if len(met) > NAMED else ""
-        words = f"touched: {'; '.join(met[:NAMED])}{more}"
-        figure.axes[0].set_title(escape(fill(words, TOUCHED)), weight="normal", pad=ABOVE)
+    lists = {"touched": met, "broken": flight.broken_parts}
+    lines = [fill(f"{name}: {_first_of(some)}", TOUCHED) for name, some in lists.items() if some]
+    if lines:
+        figure.axes[0].set_title(escape("\n".join(lines)), weight="normal", pad=ABOVE)
     return figure
+
+
+def _first_of(names: Sequence[str]) -> str:
+    """The first few of some names."""
+    more = f"; and {len(names) - NAMED} more" if len(names) > NAMED else ""
+    return f"{'; '.join(names[:NAMED])}{more}"
 
 
 def _forces(columns: Mapping[str, Array], kind: str) -> list[tuple[str, Array]]:

@@ -358,7 +358,8 @@ def _series(
     ]
     for j, _ in arms:
         whole = np.sqrt(c[f"fn{j}"] ** 2 + c[f"ff{j}"] ** 2)
-        found.append(Series("Contact force", f"cage {j}", "N", whole))
+        guard = flight.scenario.vehicle.guard_word
+        found.append(Series("Contact force", f"{guard} {j}", "N", whole))
     if np.any(c.get("fn_body", np.zeros(1)) > 0.0):
         whole = np.sqrt(c["fn_body"] ** 2 + c["ff_body"] ** 2)
         found.append(Series("Contact force", "main body", "N", whole))

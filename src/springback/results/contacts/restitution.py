@@ -14,11 +14,15 @@ LISTED = 5
 #: Share of the speed along the normal below which a touch is told to graze (chosen).
 GRAZING = 0.1
 _SPEEDS = ("vx", "vy", "vz")
+#: Share beyond 1 that is rounding, and of the step, where nothing is lost (chosen: 3e-10 is usual).
+ROUNDED = 1e-6
 #: Normal forces below this are not yet contact [N] (chosen: steps land on touches).
 AT_TOUCH = 1e-6
 
 
-def restitution_note(measures: Mapping[str, float | None], columns: Mapping[str, Array]) -> str:
+def restitution_note(
+    measures: Mapping[str, float | None], columns: Mapping[str, Array], guard: str = "cage"
+) -> str:
     """Explanation of ``restitution_at_separation`` if it is not within 0 to 1, else empty.
 
     The first impact joins all contacts less than ``simulation.dwell`` apart, and its speeds are
@@ -29,16 +33,17 @@ def restitution_note(measures: Mapping[str, float | None], columns: Mapping[str,
     Args:
         measures: Of the flight.
         columns: Of the trajectory, by which contacts are told; may be empty.
+        guard: What an arm touches with, in words.
     """
     restitution, left = (
         measures.get("restitution_at_separation"), measures.get("separation_time"),
     )  # fmt: skip
-    if restitution is None or 0.0 <= restitution <= 1.0:
+    if restitution is None or 0.0 <= restitution <= 1.0 + ROUNDED:
         return ""
     if restitution < 0.0:
         return "below 0: it left past what it hit"
     gains = "spin, rotors and what moves may add to it"
-    begins = _contacts_until(columns, left) if left is not None else []
+    begins = _contacts_until(columns, left, guard) if left is not None else []
     if len(begins) < 2:
         grazed = _grazed(measures, columns)
         return (
@@ -62,13 +67,15 @@ def _grazed(measures: Mapping[str, float | None], columns: Mapping[str, Array]) 
     return f", which it grazed: {inward:.2g} of {speed:.2g} m/s" if inward < GRAZING * speed else ""
 
 
-def _contacts_until(columns: Mapping[str, Array], end: float) -> list[tuple[float, str]]:
+def _contacts_until(
+    columns: Mapping[str, Array], end: float, guard: str
+) -> list[tuple[float, str]]:
     """Instants at which contacts of parts begin before an end [s], and the parts, in words."""
     found: list[tuple[float, str]] = []
     for column in (name for name in columns if name.startswith("fn")):
         felt = (columns[column] > AT_TOUCH) & (columns["t"] < end)
         rows = np.flatnonzero(np.diff(felt.astype(int), prepend=0) > 0)
         part = column[2:]
-        name = f"cage {part}" if part.isdigit() else "the main body"
+        name = f"{guard} {part}" if part.isdigit() else "the main body"
         found += [(float(columns["t"][row]), name) for row in rows]
     return found

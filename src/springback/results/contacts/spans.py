@@ -28,11 +28,12 @@ class ContactSpan(NamedTuple):
     hardest: int  # row of the largest normal force
     hardest_time: float  # its instant [s]
     force: float  # the largest normal force [N]
+    guard: str = "cage"  # what an arm touches with, in words
 
     @property
     def name(self) -> str:
         """Of the part, in words."""
-        return f"cage {self.arm}" if self.arm else "the main body"
+        return f"{self.guard} {self.arm}" if self.arm else "the main body"
 
 
 def parts_of(columns: Mapping[str, Array]) -> list[str]:
@@ -81,11 +82,11 @@ def spans(flight: FlightResult, holds: Any) -> Iterator[tuple[int, int, float, f
 
 def contact_spans(flight: FlightResult) -> Iterator[ContactSpan]:
     """Contacts of each cage, then of the hull, in order of time for each."""
-    c = flight.columns
+    c, guard = flight.columns, flight.scenario.vehicle.guard_word
     for number, part in enumerate(parts_of(c)):
         arm = int(part) if part.isdigit() else None
         normal = c[f"fn{part}"]
         for first, last, begin, end in spans(flight, normal + c[f"ff{part}"] > AT_TOUCH):
             hardest = first + int(np.argmax(normal[first : last + 1]))
             when, force = float(c["t"][hardest]), float(normal[hardest])
-            yield ContactSpan(number, arm, begin, end, first, last, hardest, when, force)
+            yield ContactSpan(number, arm, begin, end, first, last, hardest, when, force, guard)

@@ -100,16 +100,19 @@ MEASURES = {
     "impact_peak_angular_rate": ("rad/s", "first impact: largest angular rate"),
     "impact_peak_normal_force": (
         "N",
-        "first impact: largest normal force of one cage, or of the main body",
+        "first impact: largest normal force of one guard, or of the main body",
     ),
-    "impact_penetration": ("m", "first impact: deepest penetration of a cage, or the main body"),
+    "impact_penetration": ("m", "first impact: deepest penetration of a guard, or the main body"),
     "impact_arm_stroke": ("m", "first impact: largest compression of an arm"),
     "impact_arm_extension": (
         "m",
         "first impact: largest extension of an arm past its free length",
     ),
     "contact_duration": ("s", "whole flight: total time in contact, all contacts"),
-    "peak_acceleration": ("m/s^2", "whole flight: largest |dv/dt| of the main body"),
+    "peak_acceleration": (
+        "m/s^2",
+        "whole flight: largest |dv/dt| of the main body; none if all contacts are impulses",
+    ),
     "peak_acceleration_time": ("s", "time of it"),
     "peak_specific_force": (
         "m/s^2",
@@ -118,9 +121,9 @@ MEASURES = {
     "peak_angular_rate": ("rad/s", "whole flight: largest angular rate"),
     "peak_normal_force": (
         "N",
-        "whole flight: largest normal force of one cage, or of the main body",
+        "whole flight: largest normal force of one guard, or of the main body",
     ),
-    "penetration": ("m", "whole flight: deepest penetration of a cage, or the main body"),
+    "penetration": ("m", "whole flight: deepest penetration of a guard, or the main body"),
     "arm_stroke": ("m", "whole flight: largest compression of an arm"),
     "arm_extension": ("m", "whole flight: largest extension of an arm past its free length"),
     "impulse_x": ("N s", "of all contact forces, world X"),
@@ -130,7 +133,7 @@ MEASURES = {
     "body_contacts": ("", "number of times that the main body came into contact; needs a hull"),
     "impacts": ("", "number of impacts: contacts closer together than the dwell time are one"),
     "bottomed_time": ("s", "an arm reached the end of its stroke"),
-    "ground_time": ("s", "a cage or the hull touched the ground"),
+    "ground_time": ("s", "a guard or the main body touched the ground"),
     "propeller_hit_time": ("s", "a propeller was hit; needs propulsion.disk_radius"),
     "propellers_hit": ("", "number of propellers that were hit; likewise"),
     "rotor_stop_time": ("s", "a rotor stopped, hit; needs propulsion.stop"),
@@ -256,6 +259,7 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
     left, back = first.separation_time >= 0.0, first.return_time >= 0.0
     # An impulse is over at once, and what it does to velocities has no acceleration.
     pushed = touched & ~(left & (first.separation_time <= first.touch_time))
+    felt = ~touched | pushed | (peaks.normal_force > 0.0)
     values: dict[str, Any] = {
         "restitution_at_separation": _ratio(first.separation_speed, first.touch_speed, left),
         "restitution_at_return": _ratio(first.return_speed, first.touch_speed, back),
@@ -280,9 +284,9 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
         "impact_arm_stroke": where(touched, impact.compression),
         "impact_arm_extension": where(touched, impact.extension),
         "contact_duration": contacts.duration,
-        "peak_acceleration": peaks.acceleration,
-        "peak_acceleration_time": peaks.acceleration_time,
-        "peak_specific_force": peaks.specific_force,
+        "peak_acceleration": where(felt, peaks.acceleration),
+        "peak_acceleration_time": where(felt, peaks.acceleration_time),
+        "peak_specific_force": where(felt, peaks.specific_force),
         "peak_angular_rate": peaks.angular_rate,
         "peak_normal_force": peaks.normal_force,
         "penetration": peaks.penetration,

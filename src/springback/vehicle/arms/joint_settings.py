@@ -13,6 +13,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
 from pydantic import BeforeValidator, Field
+from pydantic_core import PydanticCustomError
 
 from springback.errors import shown_value
 from springback.kernels.tracing import sqrt, traceable
@@ -145,6 +146,11 @@ class _WaySettings(Settings):
     def _entry(self, name: str, j: int) -> Any:
         value = getattr(self, name)
         return value[j] if self._is_for_each(name) else value
+
+    def _of_no_length(self, name: str, j: int) -> str:
+        """What is wrong with a vector of arm ``j`` that tells no direction."""
+        of = f"of arm {j + 1} " if self._is_for_each(name) else ""
+        return f"{of}must be of some length (got {_numbers(_of_arm(getattr(self, name), j))})"
 
     def _latch(self, radius: float, j: int) -> tuple[Latch, ...]:
         """Numbers of the latch along the path of arm ``j``'s end; of no force if it has none."""
@@ -336,7 +342,7 @@ class SlideJoint(_WaySettings):
         towards = _in_body(_of_arm(self.direction, j), axes)
         size = length_of(towards)
         if size < SHORTEST:
-            raise problem("must be of some length", "direction")
+            raise problem(self._of_no_length("direction", j), "direction")
         along = towards * (-1.0 / size)
         return Joint(end, along, _normal_to(along), 0.0, self.follows)
 
@@ -373,15 +379,36 @@ class HingeJoint(_WaySettings):
         about = _in_body(_of_arm(self.axis, j), axes)
         size = length_of(about)
         if size < SHORTEST:
-            raise problem("must be of some length", "axis")
+            raise problem(self._of_no_length("axis", j), "axis")
         about = about * (1.0 / size)
         lever = end - _in_body(_of_arm(self.position, j), axes)
         radial = lever - about * (lever @ about)
         radius = length_of(radial)
         if radius < SHORTEST:
-            raise problem(f"must not lie on the end of arm {j + 1}, nor its axis", "position")
+            raise self._without_lever(lever, axes[0], j)
         outward = radial * (1.0 / radius)
         return Joint(end, outward ^ about, -outward, 1.0 / radius, self.follows)
+
+    def _without_lever(self, lever: Vec, along: Vec, j: int) -> PydanticCustomError:
+        """Problem of a hinge whose axis goes through the end of arm ``j``, which cannot move.
+
+        Args:
+            lever: Of the end, from the position of the hinge [m].
+            along: Direction of the arm.
+            j: The arm, from 0.
+        """
+        size = length_of(lever)
+        if size >= SHORTEST and abs(lever @ along) > (1.0 - SHORTEST) * size:
+            return problem(
+                f"must not be along arm {j + 1}, through its end: the arm would turn about itself "
+                f"(got {_numbers(_of_arm(self.axis, j))})",
+                "axis",
+            )
+        return problem(
+            f"must not lie on the end of arm {j + 1}, nor its axis go through it "
+            f"(got {_numbers(_of_arm(self.position, j))} m)",
+            "position",
+        )
 
 
 class SecondSlide(SlideJoint):
@@ -425,6 +452,11 @@ def _of_arm(given: Any, j: int) -> Triple:
     """Vector of arm ``j``, from 0: its own, or that of all."""
     vector: Triple = given[j] if isinstance(given[0], tuple) else given
     return vector
+
+
+def _numbers(vector: Triple) -> str:
+    """A vector as it is written."""
+    return shown_value([float(part) for part in vector])
 
 
 def length_of(vector: Vec) -> float:

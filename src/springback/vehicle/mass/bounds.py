@@ -48,7 +48,7 @@ def check_inertia(
     most = mass * within * within
     for moment in moments:
         if moment > most:
-            size = f"{mass:g} kg within {within:.4g} m, three times the reach of cages and hulls"
+            size = f"{mass:g} kg within {within:.4g} m, three times the vehicle's reach"
             raise problem(
                 f"must have no principal moment above {most:.4g} kg m², the most of {size} "
                 f"(got {moment:.4g} kg m²)",

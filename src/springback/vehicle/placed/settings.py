@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal
 import numpy as np
 from pydantic import BeforeValidator, model_validator
 
+from springback.errors import shown_value
 from springback.kernels.tracing import hypot, traceable  # for batch set-up
 from springback.kernels.vectors import Mat3, Vec
 from springback.quantities import Triple, Unit
@@ -50,7 +51,11 @@ class RotorSettings(Settings):
         if self.position is None and self.on == "body":
             raise problem("is missing: of a rotor on the main body it must be given", "position")
         if not hypot(*self.axis) > 0.0:
-            raise problem("must not be zero: it is the direction of the thrust", "axis")
+            raise problem(
+                "must not be zero: it is the direction of the thrust "
+                f"(got {shown_value(list(self.axis))})",
+                "axis",
+            )
         return self
 
     def direction(self) -> Vec:
