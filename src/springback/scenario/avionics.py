@@ -29,7 +29,7 @@ from springback.recovery.parameters import RecoverySettings
 from springback.recovery.pilot import RecoveryPilot, recovery_pilot_memory
 from springback.recovery.state_machine import Route
 from springback.recovery.wrench import Observer
-from springback.scenario.model import true_airframe
+from springback.scenario.model import thrust_problem, true_airframe
 from springback.scenario.tables import ScenarioTables
 from springback.sensing.clock import inside
 from springback.sensing.estimation import EstimatorSettings, Rhythm
@@ -126,11 +126,7 @@ def propulsion_of(scenario: ScenarioTables, airframe: Airframe | None = None) ->
     for name, side in sides.items():
         given = getattr(propulsion, name)
         if (given <= share) if side == "more" else (given >= share):
-            raise problem(
-                f"must be {side} than {share:.4g} N, each rotor's share of the true weight, "
-                f"payload and model_error included (got {given:g} N)",
-                f"vehicle.propulsion.{name}",
-            )
+            raise thrust_problem(s, true.mass, name, side)
     return propulsion
 
 

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 import scipy  # submodules are loaded on first use
+from pydantic_core import PydanticCustomError
 
 from springback.contact.cage import ArmTip, Ring, moving_bodies
 from springback.contact.moving.hulls import with_hulls
@@ -169,6 +170,34 @@ def check_payload(vehicle: Vehicle, load: Payload) -> None:
     with naming("payload"):
         rows = ((a, 0.0, 0.0), (0.0, b, 0.0), (0.0, 0.0, c))
         check_inertia(load.mass, rows, vehicle.reach())
+
+
+def thrust_problem(
+    scenario: ScenarioTables, mass: float, bound: str, side: str
+) -> PydanticCustomError:
+    """Problem of rotors that cannot hold the true weight; a payload is at fault if it is too heavy.
+
+    Args:
+        scenario: Of a vehicle with rotors that lift.
+        mass: The true one, with payload [kg].
+        bound: ``max_thrust`` or ``min_thrust``.
+        side: Of the share of the weight on which that bound must be: more or less.
+    """
+    s, propulsion = scenario, scenario.vehicle.propulsion
+    given = getattr(propulsion, bound)
+    most = given * s.vehicle.lift / s.world.gravity - (mass - s.payload.mass)
+    if bound == "max_thrust" and 0.0 < most <= s.payload.mass:
+        return problem(
+            f"must be less than {most:.4g} kg, what the rotors hold besides the vehicle at their "
+            f"max_thrust, {given:g} N each (got {s.payload.mass:g} kg)",
+            "payload.mass",
+        )
+    share = mass * s.world.gravity / s.vehicle.lift
+    return problem(
+        f"must be {side} than {share:.4g} N, each rotor's share of the true weight, payload and "
+        f"model_error included (got {given:g} N)",
+        f"vehicle.propulsion.{bound}",
+    )
 
 
 def true_body(

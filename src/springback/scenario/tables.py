@@ -189,8 +189,9 @@ class Payload(Settings):
         if any(self.position):
             raise problem(
                 "must be [0, 0, 0] m: the equations have the main body's centre of mass in the "
-                f"plane of arms and rotors, and a payload elsewhere would move it (got "
-                f"{list(self.position)} m)",
+                "plane of arms and rotors, and a payload elsewhere would move it; weigh what is "
+                "elsewhere with the body, by vehicle.body.parts or mass and inertia "
+                f"(got {list(self.position)} m)",
                 "position",
             )
         if min(self.inertia) < 0.0:

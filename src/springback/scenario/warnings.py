@@ -20,6 +20,8 @@ from springback.scenario.avionics import NominalVehicle, limits_of, nominal_vehi
 from springback.scenario.model import contact_point_of
 from springback.scenario.scenario import Scenario
 from springback.scenario.tables import ScenarioTables
+from springback.scenario.vehicles.overlap import overlap_warnings
+from springback.scenario.vehicles.range_check import size_warnings
 from springback.scenario.worlds.imported import Imported, named_obstacles, single_obstacles
 from springback.scenario.worlds.mesh_check import mesh_warnings
 from springback.vehicle.parameters import Vehicle
@@ -50,13 +52,20 @@ def scenario_warnings(scenario: Scenario, *, own: bool = False) -> list[str]:
     """
     found = _unrepresented(scenario) + _curved(scenario)
     found += mesh_warnings(scenario.world.obstacles) + _overdamped(scenario)
-    found += _nothing_beside(scenario)
+    found += _nothing_beside(scenario) + _of_vehicle(scenario)
     found += _warnings_of_the_pilot(scenario, own, scenario.model_fields_set)
     if scenario.second is not None:
         other, given = scenario.beside(), scenario.second.model_fields_set
         piloted = _warnings_of_the_pilot(other, other.pilot is not None, given)
-        found += [f"second: {sentence}" for sentence in piloted]
+        found += [f"second: {sentence}" for sentence in _of_vehicle(other) + piloted]
     return found
+
+
+def _of_vehicle(scenario: ScenarioTables) -> list[str]:
+    """Guards in each other, sizes and springs that are seldom meant."""
+    vehicle = scenario.vehicle
+    sizes = size_warnings(vehicle, scenario.simulation.impact_step)
+    return overlap_warnings(vehicle) + sizes
 
 
 def _curved(scenario: ScenarioTables) -> list[str]:

@@ -16,6 +16,7 @@ from springback.kernels.vectors import Vec, quaternion_of, rotation
 from springback.scenario.fields import degrees
 from springback.scenario.scenario import Scenario
 from springback.scenario.tables import ScenarioTables
+from springback.scenario.vehicles.range_check import opening_load
 from springback.scenario.warnings import scenario_warnings
 from springback.vehicle.endurance import hover_time
 from springback.vehicle.parameters import Arms, Vehicle
@@ -67,7 +68,7 @@ def derived_numbers(scenario: Scenario) -> list[ScenarioQuantity]:
     vehicle, found = scenario.vehicle, [*_masses(scenario)]
     for group in _alike(vehicle.arms):
         found += _of_arms(vehicle, group)
-    found += _gaps(vehicle.arms)
+    found += _gaps(vehicle)
     if (approach := approach_to_wall(scenario)) is not None:
         found.append(ScenarioQuantity(
             "speed into the wall", approach.speed, "m/s", "of the main body, at the start or as "
@@ -123,7 +124,7 @@ def _masses(scenario: Scenario) -> Iterator[ScenarioQuantity]:
         yield ScenarioQuantity(f"inertia about {axis}", float(moment), "kg m^2", about)
     yield ScenarioQuantity(
         "inertia share", inertia_share(vehicle), "", "largest moment of the main body over its "
-        "mass and the square of the distance to the farthest cage or hull",
+        f"mass and the square of the distance to the farthest {vehicle.guard_word} or hull",
     )  # fmt: skip
     if vehicle.body.measured is not None:  # as read from a file
         for axis, place in zip("xyz", vehicle.body.measured.centre, strict=True):
@@ -202,6 +203,10 @@ def _of_arms(vehicle: Vehicle, group: list[int]) -> Iterator[ScenarioQuantity]:
     free = "on its spring, the body held"
     yield ScenarioQuantity(f"natural frequency{of}", math.sqrt(k / m) / math.tau, "Hz", free)
     yield ScenarioQuantity(f"damping ratio{of}", b / (2.0 * math.sqrt(k * m)), "", free)
+    if (load := opening_load(arms, j)) > 0.0:
+        kind, unit = ("torque", "N m") if arms.hinges[0] else ("force", "N")
+        about = "of preload and latch: below it the arm does not move"
+        yield ScenarioQuantity(f"opening {kind}{of}", load, unit, about)
     if arms.end_stops and arms.is_planar:
         about = "estimate: the body on this one spring, its cage held by the wall ahead"
         yield ScenarioQuantity(
@@ -234,14 +239,15 @@ def stop_speed(vehicle: Vehicle, arm: int) -> float:
     return float(arms.at("stroke", arm) * omega * math.exp(decay))
 
 
-def _gaps(arms: Arms) -> Iterator[ScenarioQuantity]:
-    """Smallest gap between two cages: arms free, and pressed in together."""
+def _gaps(vehicle: Vehicle) -> Iterator[ScenarioQuantity]:
+    """Smallest gap between two cages or guards: arms free, and pressed in together."""
+    arms, guards = vehicle.arms, f"{vehicle.guard_word}s"
     pairs = [(i, j) for j in range(len(arms.directions)) for i in range(j)]
     if not pairs:
         return
     free = min(_gap(arms, i, j, 0.0) for i, j in pairs)
     yield ScenarioQuantity(
-        "gap between cages", free, "m", "the smallest, arms at their free length"
+        f"gap between {guards}", free, "m", "the smallest, arms at their free length"
     )
     if not arms.is_planar and arms.cages:
         about = "the smallest within their travel, one way or the other; less than 0: they meet"
@@ -251,7 +257,7 @@ def _gaps(arms: Arms) -> Iterator[ScenarioQuantity]:
     touching = [share for i, j in soft if (share := _touching_share(arms, i, j)) is not None]
     if touching:
         about = "share of it, two neighbouring arms pressed in together"
-        yield ScenarioQuantity("stroke until cages touch", min(touching), "", about)
+        yield ScenarioQuantity(f"stroke until {guards} touch", min(touching), "", about)
 
 
 def _gap(arms: Arms, i: int, j: int, pressed: float) -> float:
@@ -353,7 +359,8 @@ def _vehicle_warnings(scenario: Scenario) -> Iterator[str]:
     if not least <= (found := inertia_share(vehicle)) <= most:
         yield (
             f"the largest moment of inertia is {found:.3g} times the mass and the square of the "
-            f"distance to the farthest cage or hull, {vehicle.reach():.3g} m; most robots have "
+            f"distance to the farthest {vehicle.guard_word} or hull, {vehicle.reach():.3g} m; "
+            f"most robots have "
             f"{least:g} to {most:g}: are mass, inertia and size in the units that they say?"
         )
     wall, reference = _first_wall(scenario), scenario.reference
