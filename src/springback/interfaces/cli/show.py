@@ -34,6 +34,7 @@ def show(preset: str | None, keys: bool, terminal: Terminal) -> None:
     \b
     springback show arq
     springback show --keys reference
+    springback show --keys hulls.ring
     """
     from springback.contact.library import SOURCES, SURFACES
     from springback.scenario.scenario import preset as known_preset
@@ -93,10 +94,15 @@ def show(preset: str | None, keys: bool, terminal: Terminal) -> None:
 
 def _show_keys(path: str, terminal: Terminal) -> None:
     """Print the tables that may be at a path of a scenario, and where there are others."""
-    from springback.interfaces.reports.table_keys import key_tables, table_paths, table_text
+    from springback.interfaces.reports.table_keys import (
+        key_tables,
+        table_paths,
+        table_text,
+        whole_path,
+    )
 
     found = key_tables(path)
-    below = [one for one in table_paths() if not path or one.startswith(f"{path}.")]
+    below = table_paths(whole_path(path))
     data = {
         "tables": [
             one._asdict() | {"keys": [line._asdict() for line in one.keys]} for one in found

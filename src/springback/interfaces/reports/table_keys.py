@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 from springback.errors import InputError
 from springback.problems import dotted_path, key_path, nearest_name
-from springback.quantities import PerArm, Quadruple, Triple
+from springback.quantities import Pair, PerArm, Quadruple, Triple
 from springback.scenario.fields import TableField, fields_of
 from springback.scenario.scenario import Scenario
 from springback.settings import Settings
@@ -158,8 +158,17 @@ def unit_text(field: TableField) -> str:
     bounds = {sign: getattr(unit, name) for name, sign in _SIGNS.items()}
     limits = ", ".join(f"{s} {number_text(b)}" for s, b in bounds.items() if b is not None)
     text = unit.unit.replace("^0.5", "^½").translate(_POWERS).replace("^", "")
-    kinds = {Triple: ", three", Quadruple: ", four", PerArm: ", or one for each arm"}
-    return (text or "plain") + kinds.get(field.shape, "") + (f"; {limits}" if limits else "")
+    return (text or "plain") + _count_text(field) + (f"; {limits}" if limits else "")
+
+
+def _count_text(field: TableField) -> str:
+    """How many numbers a key takes, in words; empty for one."""
+    types = {leaf for leaf, _ in field.entries}
+    for kind, count in ((Pair, "two"), (Triple, "three"), (Quadruple, "four")):
+        if kind in types:
+            each = tuple[kind, ...] in types  # type: ignore[valid-type]
+            return f", {count}" + (f", or {count} for each arm" if each else "")
+    return ", or one for each arm" if field.shape is PerArm else ""
 
 
 def plain_kind(field: TableField) -> str:
@@ -225,41 +234,86 @@ def _kind(table: type[Settings]) -> str:
     return known.words[0] if known is not None and len(known.words) == 1 else ""
 
 
+def _of_key(tables: list[type[Settings]], key: str) -> list[type[Settings]]:
+    """Tables that a key of some may hold."""
+    named = (f for one in tables for f in fields_of(one).values() if f.key == key)
+    return list(dict.fromkeys(inner for field in named for inner in field.tables))
+
+
+def _at(path: str) -> tuple[list[type[Settings]], str]:
+    """Tables at a path of a scenario, none if it is unknown, and the path without types."""
+    tables, above = list[type[Settings]]([Scenario]), ""
+    for part in path.split(".") if path else ():
+        by_key = _of_key(tables, part)
+        if by_key:
+            above = f"{above}.{part}" if above else part
+        tables = by_key or [one for one in tables if _kind(one) == part]
+    return tables, above
+
+
 def key_tables(path: str = "") -> list[KeyTable]:
     """The tables that may be at a path of a scenario, with their keys.
 
     Args:
-        path: Dotted, without numbers of entries or with them; empty for the scenario itself.  Its
-            last part may be the ``type`` of one of several, as in ``world.obstacles.pole``.
+        path: Dotted, without numbers of entries or with them; empty for the scenario itself.  A
+            part may be the ``type`` of one of several, as in ``world.obstacles.pole.surface``;
+            what is before the first part may be left out where there is one such path only, as in
+            ``hulls.ring``.
 
     Raises:
         InputError: If a scenario has no table there, with the nearest that it has.
     """
-    wanted = dotted_path(tuple(part for part in key_path(path) if isinstance(part, str)))
-    known: dict[str, list[type[Settings]]] = {"": [Scenario]}
-    for below, tables in tables_below(Scenario):
-        known.setdefault(below, []).extend(one for one in tables if one not in known[below])
-    holder, _, kind = wanted.rpartition(".")
-    if wanted not in known and kind in map(_kind, known.get(holder, ())):
-        wanted, known[holder] = holder, [one for one in known[holder] if _kind(one) == kind]
-    if wanted not in known:
-        near = nearest_name(wanted, [name for name in known if name])
-        hint = f"did you mean {near}?" if near else "springback show --keys lists them"
-        raise InputError(f"a scenario has no table {wanted!r}; {hint}")
+    tables, above = _at(whole_path(path))
     return [
         KeyTable(
-            wanted,
+            above,
             _kind(one),
             " ".join(_title(one).replace("`", "").split()),
             tuple(_line(name, field, meanings(one)) for name, field in fields_of(one).items()),
         )
-        for one in known[wanted]
+        for one in tables
     ]
 
 
-def table_paths() -> list[str]:
-    """Dotted paths of all tables of a scenario."""
-    return list(dict.fromkeys(path for path, _ in tables_below(Scenario)))
+def whole_path(path: str) -> str:
+    """Path of a table from the scenario on, without numbers of entries; as for `key_tables`.
+
+    Raises:
+        InputError: If a scenario has no such table, or several.
+    """
+    wanted = dotted_path(tuple(part for part in key_path(path) if isinstance(part, str)))
+    if _at(wanted)[0]:
+        return wanted
+    known = [one for one in table_paths() if not one.startswith("second.")]
+    ends = [one for one in known if one.endswith(f".{wanted}")]
+    if len(ends) == 1:
+        return ends[0]
+    if ends:
+        raise InputError(f"{wanted!r} is in several tables; give one of {', '.join(ends)}")
+    near = nearest_name(wanted, known)
+    hint = f"did you mean {near}?" if near else "springback show --keys lists them"
+    raise InputError(f"a scenario has no table {wanted!r}; {hint}")
+
+
+def table_paths(path: str = "") -> list[str]:
+    """Dotted paths of all tables below one of a scenario, and of each type of those of several.
+
+    Args:
+        path: Of that table, from the scenario on; empty for all.
+    """
+    found = list[str]()
+
+    def add(tables: list[type[Settings]], here: str) -> None:
+        kinds = [kind for kind in map(_kind, tables) if kind]
+        found.extend(f"{here}.{kind}" for kind in kinds if len(kinds) > 1)
+        for key in dict.fromkeys(f.key for one in tables for f in fields_of(one).values()):
+            if inner := _of_key(tables, key):
+                below = f"{here}.{key}" if here else key
+                found.append(below)
+                add(inner, below)
+
+    add(_at(path)[0], path)
+    return found
 
 
 def table_text(table: KeyTable) -> str:
