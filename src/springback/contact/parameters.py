@@ -37,6 +37,7 @@ _DAMPING = ("dissipation", "restitution", "restitution_speed")
 _UNREAD: dict[str, tuple[str, ...]] = {
     "hertz": _DAMPING, "kelvin-voigt": (*_DAMPING, "exponent"),
     "impulse": ("stiffness", "exponent", "dissipation", "restitution_speed", "viscosity"),
+    "foam": ("exponent",), "table": ("exponent",),
 }  # fmt: skip
 
 
