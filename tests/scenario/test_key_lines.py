@@ -11,6 +11,7 @@ import pytest
 from springback.errors import InputError
 from springback.scenario.files import read_scenario
 from springback.scenario.key_lines import line_of
+from springback.scenario.source_text import toml_tables
 
 TEXT = """\
 name = "a = b, [ { #"  # [start] = {
@@ -122,3 +123,39 @@ def test_a_shape_of_a_union_that_would_move_is_refused(tmp_path: Path) -> None:
     (tmp_path / "union.toml").write_text(moving.replace('"spher"', '"sphere"'))
     with pytest.raises(InputError, match=r"shapes\[0\]\.motion: cannot be given: .*move together"):
         read_scenario(tmp_path / "union.toml")
+
+
+REPEATED = {
+    "a key": (
+        "[start]\nroll = 0\npitch = 1\nroll = [\n 1,\n 2]\n",
+        "a.toml:6: start.roll: is given twice; the first is in line 2",
+    ),
+    "a table": (
+        "[start]\nroll = 0\n[world]\n[start]\n",
+        "a.toml:4: start: is given twice; the first is in line 1",
+    ),
+    "within an entry": (
+        "[[hulls]]\non = 1\n[[hulls]]\non = 2\ntype = 'ring'\non = 3\n",
+        "a.toml:6: hulls[1].on: is given twice; the first is in line 4",
+    ),
+    "a list of many": (
+        "a = [1, 2]\nb = [{c = 1}, {c = 2}]\na = [1, 2]\n",
+        "a.toml:3: a: is given twice; the first is in line 1",
+    ),
+    "inside of a value": (
+        "x = 1\nvehicle = 'arq'\n[vehicle.arms]\n",
+        "a.toml:3: vehicle.arms: is inside of vehicle, which has a value in line 2: make that a table",
+    ),
+    "of an inline table": (
+        "a = 1\nb = {c = 1, c = 2}\n",
+        "a.toml:2: is not TOML: Duplicate inline table key 'c'",
+    ),
+}
+
+
+@pytest.mark.parametrize("case", REPEATED)
+def test_a_key_that_is_given_twice_is_named_with_both_lines(case: str) -> None:
+    text, words = REPEATED[case]
+    with pytest.raises(InputError) as refused:
+        toml_tables(text, "a.toml")
+    assert str(refused.value).startswith(words)

@@ -82,6 +82,7 @@ def test_what_is_loaded_beyond_its_limit_breaks_when_it_is(part: str) -> None:
     (event,) = [event for event in flight.events if event.kind == "broken"]
     assert event.t == pytest.approx(first, abs=1e-9)
     assert event.text.startswith(f"{part}: more than ")
+    assert event.label == f"{part} broken"
     assert flight.outcome.word == "broken"
     assert not flight.success
     spared = springback.fly(into_a_wall(given | {"breaks": False}))

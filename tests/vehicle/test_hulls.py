@@ -39,7 +39,7 @@ def scenario(*hulls: dict[str, Any], **vehicle: Any) -> Any:
         ({**BOX, "on": "arm"}, "from 1 (got 'arm')"),
         ({**BOX, "position": [1.0, 0.0, 0.0]}, "hulls[0]: must be within 0.3 m"),
         ({"type": "sphere", "radius": -0.1}, "radius: must be more than 0 m (got -0.1 m)"),
-        ({"type": "ring", "radius": 0.1, "axis": [0, 0, 0]}, "axis: must not be zero"),
+        ({"type": "ring", "radius": 0.1, "axis": [0, 0, 0]}, "axis: must not be zero (got [0.0"),
         ({"type": "capsule", "start": [0, 0, 0], "end": [0, 0, 0], "radius": 0.1}, "end: must differ"),
         ({"type": "points", "points": CORNERS[:3]}, "points: must be at least 4 points and at most"),
         ({"type": "points", "points": [*CORNERS[:3], [0.01, 0.0, 0.0]]}, "points: must not all be in"),

@@ -114,8 +114,22 @@ def test_a_preload_holds_the_arm_at_its_stop() -> None:
 @pytest.mark.parametrize(
     ("joint", "message"),
     [
-        ({**HINGE, "axis": [0, 0, 0]}, "joint.axis: must be of some length"),
-        ({**HINGE, "position": ["190 mm", 0, 5]}, "joint.position: must not lie on the end of arm"),
+        ({**HINGE, "axis": [0, 0, 0]}, "joint.axis: must be of some length (got [0.0, 0.0, 0.0])"),
+        (
+            {**HINGE, "axis": [[0, 0, 1], [0, 0, 1], [0, 0, 0], [0, 0, 1]]},
+            "joint.axis: of arm 3 must be of some length (got [0.0, 0.0, 0.0])",
+        ),
+        (
+            {**HINGE, "axis": [2, 0, 0]},
+            "joint.axis: must not be along arm 1, through its end: the arm would turn about itself "
+            "(got [2.0, 0.0, 0.0])",
+        ),
+        (
+            {**HINGE, "position": ["190 mm", 0, 5]},
+            "joint.position: must not lie on the end of arm 1, nor its axis go through it (got [0.19, "
+            "0.0, 5.0] m)",
+        ),
+        ({**HINGE, "position": [0.19, 0, 0]}, "joint.position: must not lie on the end of arm 1"),
         ({**HINGE, "travel": ["10 deg", "60 deg"]}, "joint.travel: must be from at most 0 to more"),
         ({**HINGE, "travel": ["-200 deg", "60 deg"]}, "joint.travel: must be within half a turn"),
         ({**HINGE, "stiffness": "5 N/mm"}, "joint.stiffness: has the wrong unit (got '5 N/mm'); "),
@@ -134,7 +148,7 @@ def test_a_preload_holds_the_arm_at_its_stop() -> None:
         ({**HINGE, "table": [[0, 0], [1, 2]]}, "joint.stiffness: cannot be combined with table"),
         ({**HINGE, "type": "hing"}, "joint.type: must be slide or hinge (got 'hing'); did you mean"),
         ({**HINGE, "stifness": 1}, "joint.stifness: unknown key; did you mean stiffness?"),
-        ({**SLIDE, "direction": [0, 0, 0]}, "joint.direction: must be of some length"),
+        ({**SLIDE, "direction": [0, 0, 0]}, "joint.direction: must be of some length (got [0.0,"),
         (
             {**SLIDE, "stiffness": 0, "table": [[0, 0], [0.01, 5], [0.02, 4]]},
             "joint.table[2]: must be at least 5 N, the one before: a spring that gets weaker",

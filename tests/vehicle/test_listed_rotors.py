@@ -46,7 +46,7 @@ def vehicle(rotors: list[dict[str, Any]], **more: Any) -> Vehicle:
     ("rotors", "words"),
     [
         ([{"on": "body"}], ("vehicle.rotors[0].position", "is missing")),
-        ([{"on": 1, "axis": [0, 0, 0]}], ("vehicle.rotors[0].axis", "must not be zero")),
+        ([{"on": 1, "axis": [0, 0, 0]}], ("vehicle.rotors[0].axis", "(got [0.0, 0.0, 0.0])")),
         ([{"on": 1}, {"on": 7}], ("vehicle.rotors[1].on", "from 1 to 6", "got 7")),
         ([{"on": "arm"}], ("vehicle.rotors[0].on", 'must be "body"')),
         ([{"on": 2}, {"on": 2}], ("vehicle.rotors[1].position", "where rotors[0] is")),

@@ -22,7 +22,7 @@ from springback.results.contacts.thin_contacts import deep_contact
 from springback.results.events import Event, events_of
 from springback.results.hooks import NotebookPage, hook
 from springback.results.motion import columns_at, sensor_readings, specific_force_at
-from springback.results.pair.flying import fly_beside
+from springback.results.pair.flying import fly_beside, of_second
 from springback.results.recovery_measures import guided_result
 from springback.results.result import FlightResult, ObstacleContact
 from springback.scenario.avionics import CompiledEstimator, CompiledPilot
@@ -326,7 +326,9 @@ def pair_flight(ready: Scenario, built: ReadyFlight, **options: Any) -> Flight:
     """
     check_user_code(built)
     other = ready.beside()
-    flown = fly_beside(ready, built, ready_flight(other), **options)
+    with of_second():
+        built_beside = ready_flight(other)
+    flown = fly_beside(ready, built, built_beside, **options)
     first, second = map(_flight_of, (ready, other), flown)
     return replace(first, second=replace(second, first=first))
 

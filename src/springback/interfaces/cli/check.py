@@ -100,12 +100,16 @@ _CHECKING = (
 
 def _check_scenario(path: Path, overrides: Sequence[str], terminal: Terminal) -> None:
     from springback.results.flight import ready_flight
+    from springback.results.pair.flying import of_second
     from springback.scenario.files import as_input, read_scenario
 
     with terminal.spinner(_CHECKING):
         scenario = read_scenario(path, overrides)
         with as_input(path, overrides):
             ready_flight(scenario)  # code of the user's own that cannot be used is refused
+            if scenario.second is not None:
+                with of_second():
+                    ready_flight(scenario.beside())
         told, lines = _findings(scenario)
     terminal.print({"kind": "scenario", **told}, "\n".join(lines))
     _conclude(f"{path} can be flown", told["warnings"], terminal)

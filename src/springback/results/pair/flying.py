@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import contextlib
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from springback.contact.library import WALL
@@ -14,6 +15,7 @@ from springback.errors import InputError
 from springback.scenario.build import ReadyFlight
 from springback.scenario.model import RING_ROUNDING
 from springback.scenario.scenario import Scenario
+from springback.scenario.tables import SecondVehicle
 from springback.scenario.worlds.imported import single_obstacles
 from springback.simulation.flight import FlightRecord
 from springback.simulation.guided import GuidedFlown, ticks_of
@@ -55,6 +57,22 @@ def fly_beside(
         one, other, law_between(scenario), period=period, trace=trace,
         interval=scenario.simulation.record_interval, progress=progress,
     )  # fmt: skip
+
+
+@contextlib.contextmanager
+def of_second() -> Iterator[None]:
+    """Name the second vehicle in problems of its own tables, which are told as of a first one."""
+    try:
+        yield
+    except InputError as error:
+        own = [line.partition(":")[0].partition(".")[0] for line in error.problems]
+        named = zip(own, error.problems, strict=True)
+        raise InputError(
+            *(
+                f"second.{line}" if key in SecondVehicle.model_fields else line
+                for key, line in named
+            )
+        ) from error.__cause__
 
 
 def law_between(scenario: Scenario) -> Any:

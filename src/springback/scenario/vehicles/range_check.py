@@ -18,7 +18,7 @@ from springback.vehicle.parameters import Vehicle
 LONGEST_ARM = 2.0
 #: Force of an arm's spring at the end of its travel, in weights of the vehicle, that is seldom
 #: meant below and above (chosen: the library has 0.33 to 20; N m/deg is 57 N m/rad).
-SPRING_RANGE = (0.03, 50.0)
+SPRING_RANGE = (0.1, 50.0)
 #: Steps in one period of an arm on its spring below which it is hardly resolved (chosen).
 LEAST_STEPS = 20.0
 #: Speed at which a spring is looked at [m/s] (chosen: the paper's tests have some 2 m/s).
