@@ -93,6 +93,11 @@ def test_a_flight_is_titled_by_its_outcome_and_what_it_touched(tmp_path: Path) -
         wide = figure.get_window_extent().width
         for words in (figure._suptitle, figure.axes[0]._left_title):  # type: ignore[attr-defined]
             assert words.get_window_extent().x1 <= wide
+    limits = {"components": [{"name": "lens", "specific_force": "1 m/s^2"}]}
+    fragile = {**tables, "vehicle": {"preset": "xplorer", "limits": limits}}
+    fragile["simulation"] = {"duration": 0.005}
+    broken = plots.flight_figure(fly(fragile, executor="python"))
+    assert broken.axes[0].get_title(loc="left") == "broken: lens: more than 1 m/s²"
     missed = plots.flight_figure(fake_slider_flight(hit=False))
     assert missed.axes[0].get_title(loc="left") == ""
     assert not [name for name in panels(missed) if "inge" in name]

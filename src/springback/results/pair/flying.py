@@ -65,14 +65,13 @@ def of_second() -> Iterator[None]:
     try:
         yield
     except InputError as error:
-        own = [line.partition(":")[0].partition(".")[0] for line in error.problems]
-        named = zip(own, error.problems, strict=True)
-        raise InputError(
-            *(
-                f"second.{line}" if key in SecondVehicle.model_fields else line
-                for key, line in named
-            )
-        ) from error.__cause__
+        raise InputError(*map(_of_second, error.problems)) from error.__cause__
+
+
+def _of_second(line: str) -> str:
+    """A problem, named by its path in the scenario of both if it is of a table of its own."""
+    table = line.partition(":")[0].partition(".")[0]
+    return f"second.{line}" if table in SecondVehicle.model_fields else line
 
 
 def law_between(scenario: Scenario) -> Any:
