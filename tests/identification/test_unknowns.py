@@ -1,6 +1,7 @@
 """Uncertainties in words become priors; what is none is refused in one line."""
 
 import math
+from typing import Any
 
 import pytest
 
@@ -81,11 +82,26 @@ def test_what_is_no_uncertainty_is_refused(
 
 @pytest.mark.parametrize(
     ("law", "name"),
-    [("hertz", "restitution"), ("hertz", "dissipation"), ("kelvin-voigt", "exponent")],
+    [
+        ("hertz", "restitution"),
+        ("hertz", "dissipation"),
+        ("kelvin-voigt", "exponent"),
+        ("foam", "exponent"),
+        ("table", "exponent"),
+    ],
 )
 def test_a_number_that_the_law_does_not_read_is_refused(law: str, name: str) -> None:
+    more: dict[str, Any] = {
+        "foam": {
+            "stiffness": 2e4,
+            "plateau_force": 60.0,
+            "densification_depth": 0.015,
+            "restitution": 0.3,
+        },
+        "table": {"loading": [[0.0, 0.0], [0.01, 60.0]]},
+    }.get(law, {})
     tables = {**TABLES, "world": {"obstacles": [
-        {"type": "wall", "distance": 2.0, "surface": {"law": law, "viscosity": 10.0}}
+        {"type": "wall", "distance": 2.0, "surface": {"law": law, "viscosity": 10.0, **more}}
     ]}}  # fmt: skip
     elastic = scenario_from(tables)
     with pytest.raises(InputError, match=f"surface.{name}: law {law} does not use it"):
