@@ -14,6 +14,8 @@ from click.testing import CliRunner
 
 from builders.recordings import files, whole
 from springback.errors import InputError
+from springback.identification.design import coverage
+from springback.identification.design.coverage import Coverage, FieldCoverage
 from springback.interfaces.cli.app import cli
 from springback.logs.reading import read_recording
 from springback.logs.writing.writers import write_recording
@@ -223,3 +225,40 @@ def test_a_log_that_is_cut_off_is_read_with_a_warning_that_says_where(folder: Pa
         done = run(command, "cut.ulg", cwd=folder)
         assert done.returncode == 2
         assert done.stderr == "error: cut.ulg: is cut off after 10 of the 16 bytes of its head\n"
+
+
+CHECKED = Coverage(
+    (FieldCoverage("vehicle.arms.stiffness", 10, 9, 0.6, 0.98, 0.1, 1.0, 0.02, True, "N/m"),),
+    10, (), 1, 20.0, {},
+)  # fmt: skip
+
+
+def test_check_writes_its_table_and_replaces_nothing_without_force(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It had no --out, and click proposed --quiet."""
+    flown = []
+
+    def stub(*given: object, **more: object) -> Coverage:
+        flown.append(given)
+        return CHECKED
+
+    monkeypatch.setattr(coverage, "check_coverage", stub)
+    plan, out = EXAMPLE.parent / "fit.toml", tmp_path / "checked"
+    words = ["identify", "check", str(plan), "--sets", "10", "--out", str(out)]
+    done = CliRunner().invoke(cli, words, catch_exceptions=False)
+    assert done.exit_code == 0
+    assert "vehicle.arms.stiffness: 90.0 % have the truth" in done.stdout
+    assert "written to" in done.stderr
+    data = json.loads((out / "check.json").read_text())
+    assert (data["sets"], data["alarms"], data["fields"][0]["share"]) == (10, 1, 0.9)
+    head, row = (out / "check.csv").read_text().splitlines()
+    assert head == "name,sets,covered,low,high,bias,spread,half_width,relative,unit,share"
+    assert row == "vehicle.arms.stiffness,10,9,0.6,0.98,0.1,1.0,0.02,True,N/m,0.9"
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["checked"]
+    assert sorted(path.name for path in out.iterdir()) == ["check.csv", "check.json"]
+    refused = CliRunner().invoke(cli, words)
+    assert "is not empty; give another folder, or --force" in str(refused.exception)
+    assert len(flown) == 1  # before anything is flown
+    assert CliRunner().invoke(cli, [*words, "--force"]).exit_code == 0
+    assert CliRunner().invoke(cli, words[:5], catch_exceptions=False).exit_code == 0
