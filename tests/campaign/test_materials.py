@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from springback.campaign.design.plan import Plan, plan_from, read_plan
 from springback.campaign.running import run_campaign
 from springback.errors import InputError
 from springback.interfaces.cli.app import cli
+from springback.interfaces.reports.outcomes import drawn_ranges
 from springback.vehicle.materials import MATERIALS
 from springback.vehicle.stiffness import (
     cantilever_stiffness,
@@ -220,6 +222,15 @@ def test_the_stiffness_of_a_guard_is_drawn_by_its_material(shape: str) -> None:
     assert power.values == (exponent,)
     assert stiffness.source is not None
     assert f"a {shape} of tpu, derived; its modulus from memory" in stiffness.source
+
+
+def test_derived_ends_of_a_range_are_told_in_five_digits() -> None:
+    """10178.976517282323 stood on the page."""
+    guard = {"type": "ring", "material": "carbon", "rod": "4 mm", "inner": "3 mm",
+             "radius": "73.5 mm"}  # fmt: skip
+    given = plan_from(plan({"field": "vehicle.hulls.0.surface", "guard": guard}))
+    said = drawn_ranges(SimpleNamespace(design=SimpleNamespace(plan=given)))  # type: ignore[arg-type]
+    assert said[0].startswith("vehicle.hulls.0.surface.stiffness 10179 to 18904 (")
 
 
 def test_a_guard_flies_with_its_stiffness() -> None:

@@ -2,6 +2,7 @@
 
 import copy
 import json
+import re
 from pathlib import Path
 
 import numpy as np
@@ -31,6 +32,7 @@ from springback.identification.results_files import (
 )
 from springback.identification.settings import FitPlan, read_fit_plan
 from springback.identification.solving.fitting import ImpactFit, fit_impact
+from springback.identification.wording import SHARES
 from springback.interfaces.cli.app import cli
 from springback.interfaces.cli.identify.fitting import fit_text
 from springback.scenario.scenario import scenario_from
@@ -142,7 +144,20 @@ def test_stiffness_inherits_the_uncertainty_of_mass() -> None:
     error = {one.unknown.name: 0.25 * np.log(one.high / one.low) for one in wide.estimates}
     assert error[STIFFNESS] == pytest.approx(0.02, rel=0.15)  # k / m is what is seen
     assert error[LOSS] < 0.005  # the loss is not
-    assert any("vehicle.body.mass was assumed" in text for text in wide.sentences)
+    [said] = [text for text in wide.sentences if "vehicle.body.mass was assumed" in text]
+    named, total = (
+        re.fullmatch(
+            rf".* not measured: its share of the variance is (\d+) % of that of {STIFFNESS}", said
+        ),
+        error[STIFFNESS] ** 2,
+    )
+    assert named
+    # Known exactly, it would leave the variance that the data alone have.
+    alone = {one.unknown.name: 0.25 * np.log(one.high / one.low) for one in narrow.estimates}
+    left = 1.0 - float(named[1]) / 100.0
+    assert left * total == pytest.approx(alone[STIFFNESS] ** 2, abs=0.01 * total)
+    assert SHARES in wide.sentences
+    assert SHARES not in narrow.sentences
     assert not any("was assumed" in text for text in narrow.sentences)
     over_mass = f"of {STIFFNESS} only the ratio to mass is seen: the uncertainty of mass is in each"
     assert over_mass in wide.sentences

@@ -89,7 +89,8 @@ def axis_label(ax: Axes, which: str) -> str:
     """The label along x or y: of a panel, of one that shares the axis, or a title with a unit."""
     group = ax.get_shared_x_axes() if which == "x" else ax.get_shared_y_axes()
     shared = [other for other in ax.figure.axes if other in group.get_siblings(ax)]
-    labels = [str(getattr(a, f"get_{which}label")()) for a in (ax, *shared)]
+    lines = [str(getattr(a, f"get_{which}label")()) for a in (ax, *shared)]
+    labels = [text.replace("\n.", ".").replace("\n", " ") for text in lines]
     title = ax.get_title(loc="left")
     labels.append(title if which == "y" and title.endswith("]") else "")
     return next(filter(None, labels), "")

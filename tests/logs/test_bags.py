@@ -225,7 +225,7 @@ def test_an_mcap_that_is_cut_off_is_read_as_far_as_it_goes(tmp_path: Path) -> No
     path.write_bytes(stream.getvalue()[: len(stream.getvalue()) // 2])
     log = read_recording(path)
     assert 50 < len(log.channels[0].times) < 500
-    assert "cut.mcap: is damaged, and what follows is lost" in log.remarks[0]
+    assert "cut.mcap: is damaged, and what follows is lost" in log.damage[0]
     assert "not read: /imu (json), /point" in log.remarks
 
 

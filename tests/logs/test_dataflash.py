@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -75,12 +76,18 @@ def test_a_part_is_read(tmp_path: Path) -> None:
 def test_a_log_that_is_cut_off_or_damaged_is_read_as_far_as_it_goes(tmp_path: Path) -> None:
     data = dataflash()
     log = read_recording(written(tmp_path, data[:-10]))
-    assert "the log ends within a message: it was cut off" in log.remarks
+    assert len(log.damage) == 1
+    said = re.fullmatch(
+        r"the log ends within a message, at byte (\d+), 1\.99\d s by its clock: it was cut off",
+        log.damage[0],
+    )
+    assert said
+    assert len(data) - 100 < int(said[1]) < len(data) - 10
     at = len(data) // 2
     log = read_recording(written(tmp_path, data[:at] + bytes(100) + data[at:]))
     imu = next(one for one in log.channels if one.name == "IMU.accelerometer")
     assert len(imu.times) >= 399
-    assert "damaged in" in " ".join(log.remarks)
+    assert "damaged in" in " ".join(log.damage)
 
 
 @pytest.mark.parametrize(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import re
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -12,7 +13,8 @@ from scipy.spatial.transform import Rotation
 
 from builders.recordings import inertial, poses, recording, whole
 from springback.errors import InputError
-from springback.logs.frame_check import check_frames, refuse_units
+from springback.logs.axes_options import axes_options, refuse_wrong_axes
+from springback.logs.frame_check import ORDERS, check_frames, refuse_units
 from springback.logs.frame_turns import (
     BODIES,
     WORLDS,
@@ -20,6 +22,7 @@ from springback.logs.frame_turns import (
     axis_turns,
     conjugate,
     matrix_quaternion,
+    other_order,
     product,
     rotation_vector,
     turn_words,
@@ -28,6 +31,7 @@ from springback.logs.frame_turns import (
     world_vectors,
 )
 from springback.logs.overview import overview
+from springback.logs.recording import MAPPED, Recording
 
 #: North, west and up, and forward, left and up, as other axes have them.
 OTHERS_NORTH_WEST_UP = {
@@ -237,3 +241,76 @@ def test_an_accelerometer_at_rest_is_held_to_5_percent() -> None:
     assert "-1.9 % of gravity" in found.sentence
     [found] = check_frames([recording(replace(force, values=0.94 * still))])
     assert not found.passed
+
+
+MAPPED_AXES = {"world": "ned", "body": "frd"}
+
+
+def as_table(channels: Any, order: str = "wxyz", axes: Any = None) -> Recording:
+    """Channels as a mapping file reads them, whose quaternions are those of another order."""
+    place, attitude = channels
+    told = dict(axes or MAPPED_AXES) | {f"{attitude.name}.order": order}
+    turns = WORLDS[told["world"]], BODIES[told["body"]]
+    wrong = replace(attitude, values=other_order(*turns, attitude.values, ORDERS[order]))
+    return replace(recording(place, wrong, form=MAPPED), parameters=told)
+
+
+@pytest.mark.parametrize("order", ["wxyz", "xyzw"])
+def test_the_other_order_of_quaternions_is_found_and_named(order: str) -> None:
+    """xyzw read as wxyz, and the other way round; no turn of axes is blamed."""
+    log = as_table(poses(), order)
+    [found] = [one for one in check_frames([recording(*inertial()), log]) if not one.passed]
+    assert found.name == "vehicle.attitude, order"
+    assert found.is_mistake
+    true = ORDERS[order]
+    assert found.sentence.startswith(f"its quaternions are {true}, not {order} as they were read")
+    assert "rates of turn agree (1.000)" in found.sentence
+    logs = [recording(*inertial()), log]
+    assert axes_options(logs) == f'order = "{true}" of vehicle.attitude in the mapping file of made'
+
+
+def test_a_wrong_order_and_wrong_axes_are_found_together() -> None:
+    """The table is NWU and FLU, xyzw; the mapping says NED, FRD and wxyz."""
+    place, attitude = poses()
+    true = WORLDS["nwu"], BODIES["flu"]
+    given = attitudes_in(true[0].T, true[1].T, attitude.values)[:, [1, 2, 3, 0]]
+    said = WORLDS["ned"], BODIES["frd"]
+    turn = said[0] @ true[0].T
+    wrong = [
+        replace(place, values=vectors_in(turn, place.values)),
+        replace(attitude, values=attitudes_in(*said, given)),
+    ]
+    told = MAPPED_AXES | {"vehicle.attitude.order": "wxyz"}
+    log = replace(recording(*wrong, form=MAPPED), parameters=told)
+    # the inertial unit is in the same table, in the same wrong body axes
+    body = said[1] @ true[1].T
+    imu = [replace(one, values=vectors_in(body, one.values)) for one in inertial()]
+    whole_log = replace(log, channels=(*imu, *log.channels))
+    assert axes_options([whole_log]) == (
+        '[axes] world = "nwu" body = "flu", and order = "xyzw" of vehicle.attitude, in the mapping '
+        "file of made"
+    )
+
+
+def test_mistakes_are_refused_and_doubts_are_warnings() -> None:
+    force, gyro = inertial()
+    turned = [replace(one, values=one.values * [1.0, -1.0, -1.0]) for one in (force, gyro)]
+    with pytest.raises(InputError, match=r"not along [+]z: its axes are not FLU"):
+        refuse_wrong_axes([recording(*turned, *poses())])
+    warned = refuse_wrong_axes([recording(*turned, *poses())], goes_on=True)
+    assert any("its axes are not FLU" in text for text in warned)
+    weak = replace(force, values=0.75 * force.values)  # a scale, which is no mistake of axes
+    [doubt] = refuse_wrong_axes([recording(weak, gyro, *poses())])
+    assert "% of gravity" in doubt
+    assert refuse_wrong_axes([recording(force, gyro, *poses())]) == []
+
+
+def test_a_vehicle_that_lies_on_its_side_after_an_impact_has_no_wrong_axes() -> None:
+    """Of a flight of 1 s and 9 s on its side the median is along y; the log is only doubted."""
+    force, _ = inertial(10.0)
+    fallen = np.where(force.times[:, None] < 1.0, [0.0, 0.0, 9.81], [0.0, 9.81, 0.0])
+    [found] = check_frames([recording(replace(force, values=fallen, clipped=None))])
+    assert (found.passed, found.is_mistake) == (False, False)
+    always = np.tile([0.0, 9.81, 0.0], (len(force.times), 1))
+    [found] = check_frames([recording(replace(force, values=always, clipped=None))])
+    assert found.is_mistake

@@ -100,4 +100,4 @@ def test_what_is_no_c3d_is_refused_in_a_line(tmp_path: Path, data: bytes, said: 
 def test_a_file_that_is_cut_off_is_read_as_far_as_it_goes(tmp_path: Path) -> None:
     log = read_recording(written(tmp_path, c3d()[:-100]))
     assert len(log.channels[0].times) == 97
-    assert log.remarks == ("ends after 97 of 100 frames: it was cut off",)
+    assert log.damage == ("ends after 97 of 100 frames: it was cut off",)

@@ -247,7 +247,12 @@ def test_a_log_that_is_cut_off_is_read_as_far_as_it_goes(tmp_path: Path) -> None
     data = raw_ulog({"sensor_combined": (COMBINED, combined())})
     log = read(tmp_path, data[:-20])
     assert len(log.channels[0].times) == COUNT - 1
-    assert log.remarks == ("the log ends within a message: it was cut off",)
+    place = len(data) - (3 + 2 + combined().itemsize)  # the last message, which is not whole
+    last = log.channels[0].times[-1]
+    assert log.damage == (
+        f"the log ends within a message, at byte {place}, {last:.3f} s by its clock: it was cut "
+        "off",
+    )
 
 
 def test_a_damaged_log_is_read_on_from_the_next_sync_message(tmp_path: Path) -> None:
@@ -261,7 +266,7 @@ def test_a_damaged_log_is_read_on_from_the_next_sync_message(tmp_path: Path) -> 
     )
     log = read(tmp_path, broken)
     assert len(log.channels[0].times) == COUNT - 5
-    assert log.remarks == ("the log is damaged in 1 places, which were skipped",)
+    assert log.damage == ("the log is damaged in 1 places, which were skipped",)
 
 
 @pytest.mark.parametrize(

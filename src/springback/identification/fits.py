@@ -24,10 +24,11 @@ from springback.identification.unknowns import (
     refuse_twice,
 )
 from springback.identification.wording import force_sentences, sentences
-from springback.logs.axes_options import refuse_unused_axes
+from springback.logs.axes_options import refuse_unused_axes, refuse_wrong_axes
 from springback.logs.clock_jumps import refuse_clock_jumps
 from springback.logs.filter_check import untold_filter
-from springback.logs.frame_check import check_frames, refuse_units
+from springback.logs.frame_check import refuse_units
+from springback.logs.overview import damages
 from springback.logs.reading import LogOptions
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
@@ -37,6 +38,7 @@ from springback.logs.recording import (
     Recording,
 )
 from springback.logs.segments import LogImpact, find_impacts
+from springback.logs.time_units import refuse_time_units
 from springback.logs.vehicle_track import with_vehicle
 from springback.logs.writing.flight_recording import log_or_flight
 from springback.progress import Progress, silent, stage
@@ -137,6 +139,7 @@ def _read_flight(
     scenario = read_scenario(folder / plan.scenario, given.change)
     recordings = [_recording(folder / name, given) for name in given.logs]
     refuse_unused_axes(recordings, given.world, given.body)
+    refuse_time_units(recordings)
     recordings = with_vehicle(recordings, given.track)
     refuse_clock_jumps(recordings)
     for log in recordings:
@@ -161,10 +164,8 @@ def _read_flight(
         refused.append(f"{names}: no impact was found; springback identify inspect tells more")
     used = [one for one in (wanted if given.at else found) if not one.refused]
     impacts = tuple(impact_window(plan, scenario, recordings, one) for one in used)
-    warnings = tuple(
-        f"{names}: {one.name}: {one.sentence}" for one in check_frames(recordings)
-        if not one.passed
-    )  # fmt: skip
+    doubts = refuse_wrong_axes(recordings, given.world, given.body, goes_on=True)
+    warnings = (*damages(recordings), *doubts)
     if plan.sensors.accelerometer.low_pass is None:
         warnings += tuple(
             f"{one.path}: {hint}" for one in recordings for channel in one.of(SPECIFIC_FORCE)

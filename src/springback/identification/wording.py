@@ -21,6 +21,12 @@ from springback.logs.recording import ARM_LENGTH, POSITION, SPECIFIC_FORCE, Arra
 #: Correlation from which two fields cannot be told apart, and the share of a variance that one
 #: known field has (chosen).
 BOUND_TOGETHER, INHERITED = 0.9, 0.05
+#: What the shares of known fields are.
+SHARES = (
+    "a share of the variance is what the squared width of an interval would lose if that number "
+    "alone were known exactly; numbers that are told together share what each would take away, so "
+    "that shares may add up to more than 100 %"
+)
 #: Share of the variance of a stiffness from which it is one over mass (chosen).
 MOSTLY = 0.5
 #: Samples in a contact below which they are said to be few (chosen).
@@ -212,22 +218,29 @@ def _scatter_sentences(fits: Sequence[ImpactFit], estimates: Sequence[FieldEstim
 
 
 def _inherited(fits: Sequence[ImpactFit], estimates: Sequence[FieldEstimate]) -> list[str]:
-    """Known fields that the data do not tell, and what they decide."""
+    """Known fields that the data do not tell, and their share of the variance of each result.
+
+    The square of a correlation is what the variance of a result would lose, were the other known
+    exactly: Var(x | k) = Var(x) (1 − ρ²).
+    """
     names, matrix = correlations(fits[0])
-    found = []
+    found, has_shares = list[str](), False
     for one in estimates:
         if one.unknown.role != "known":
             continue
         row = matrix[names.index(one.unknown.name)]
         heirs = [
-            f"{100.0 * float(row[names.index(other.unknown.name)]) ** 2:.0f} % of "
+            f"{100.0 * float(row[names.index(other.unknown.name)]) ** 2:.0f} % of that of "
             f"{other.unknown.name}"
             for other in estimates
             if other.unknown.role == "free"
             and row[names.index(other.unknown.name)] ** 2 > INHERITED
         ]
         said = f"{one.unknown.name} was assumed ({one.unknown.uncertainty}), not measured"
-        found.append(f"{said}: it makes {', '.join(heirs)}" if heirs else said)
+        found.append(f"{said}: its share of the variance is {', '.join(heirs)}" if heirs else said)
+        has_shares = has_shares or bool(heirs)
+    if has_shares:
+        found.append(SHARES)
     heirs = _of_mass(estimates, names, matrix)
     if heirs:
         found.append(

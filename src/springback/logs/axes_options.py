@@ -2,7 +2,7 @@
 
 Where poses and inertial unit disagree, every pair of world and body axes that has a name is tried
 on the poses that were read: the first with which all findings pass, and which differs least from
-what was assumed, is the answer.
+what was assumed, is the answer; or the other order of a table's quaternions, or both.
 """
 
 from __future__ import annotations
@@ -12,7 +12,13 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from springback.errors import InputError, shown_value
-from springback.logs.frame_check import check_frames
+from springback.logs.frame_check import (
+    ORDER,
+    ORDER_KEY,
+    ORDERS,
+    FrameFinding,
+    check_frames,
+)
 from springback.logs.frame_turns import BODIES, WORLDS, attitudes_in, vectors_in
 from springback.logs.recording import (
     ANGULAR_VELOCITY,
@@ -48,7 +54,8 @@ def axes_options(
         world: World axes that were given to the readers.
         body: Body axes that were given.
     """
-    if all(one.passed for one in check_frames(recordings)):
+    found = check_frames(recordings)
+    if all(one.passed for one in found):
         return ""
     posed = [one for one in recordings if one.of(ATTITUDE)]
     turnable = [one for one in posed if one.format in ASSUMED]
@@ -67,7 +74,66 @@ def axes_options(
             if poses_alone:
                 return f"{line} in a mapping file of their own for the poses of {where}"
             return f"{line} in the mapping file of {where}"
+    if _is_order_only(found):
+        return f"{_order_words(mapped, found)} in the mapping file of {where}"
+    if pair := _passing(recordings, now, poses_alone=False, orders=True):
+        line = f'[axes] world = "{pair[0]}" body = "{pair[1]}"'
+        turned = [
+            _turned(one, now[id(one)], pair, False) if id(one) in now else one for one in recordings
+        ]
+        words = _order_words(mapped, check_frames(turned))
+        return f"{line}, and {words}, in the mapping file of {where}"
     return ""
+
+
+def _is_order_only(found: Sequence[FrameFinding]) -> bool:
+    """True if all findings pass but those on the order of quaternions."""
+    return all(one.passed or one.name.endswith(ORDER) for one in found)
+
+
+def _order_words(mapped: Sequence[Recording], found: Sequence[FrameFinding]) -> str:
+    """The other order of those quaternions that need it, such as ``order = "xyzw" of pose``."""
+    wrong = [one.name.removesuffix(ORDER) for one in found if not one.passed]
+    told = {
+        name: ORDERS[str(one.parameters[name + ORDER_KEY])]
+        for one in mapped for name in wrong if name + ORDER_KEY in one.parameters
+    }  # fmt: skip
+    return ", ".join(f'order = "{order}" of {name}' for name, order in told.items())
+
+
+def refuse_wrong_axes(
+    recordings: Sequence[Recording],
+    world: str | None = None,
+    body: str | None = None,
+    *,
+    goes_on: bool = False,
+) -> list[str]:
+    """Refuse logs whose axes, or order of quaternions, their own data contradict.
+
+    Args:
+        recordings: Logs of one flight, as they were read.
+        world: World axes that were given to the readers.
+        body: Body axes that were given.
+        goes_on: Return what is refused as warnings.
+
+    Returns:
+        Findings that fail and may have another reason, a sentence each.
+
+    Raises:
+        InputError: In one line for each mistake, the first with what to type.
+    """
+    failed = [one for one in check_frames(recordings) if not one.passed]
+    if not failed:
+        return []
+    names = ", ".join(str(one.path) for one in recordings)
+    options = axes_options(recordings, world, body)
+    failed.sort(key=lambda one: not one.is_mistake)
+    said = [f"{names}: {one.name}: {one.sentence}" for one in failed]
+    said[0] += f"; all findings pass with {options}" if options else ""
+    mistakes = [text for text, one in zip(said, failed, strict=True) if one.is_mistake]
+    if mistakes and not goes_on:
+        raise InputError(*mistakes)
+    return said
 
 
 def refuse_unused_axes(
@@ -95,7 +161,10 @@ def refuse_unused_axes(
 
 
 def _passing(
-    recordings: Sequence[Recording], now: Mapping[int, tuple[str, str]], poses_alone: bool = True
+    recordings: Sequence[Recording],
+    now: Mapping[int, tuple[str, str]],
+    poses_alone: bool = True,
+    orders: bool = False,
 ) -> tuple[str, str] | None:
     """Axes in which all findings pass, those nearest to the present ones first.
 
@@ -103,6 +172,7 @@ def _passing(
         recordings: The logs.
         now: Axes of those that can be read in others, by their identity.
         poses_alone: False if a log's inertial unit is read in the same body axes.
+        orders: True if the order of quaternions may be another one, too.
     """
     if not now:
         return None
@@ -115,7 +185,8 @@ def _passing(
             _turned(one, now[id(one)], pair, poses_alone) if id(one) in now else one
             for one in recordings
         ]
-        if all(one.passed for one in check_frames(tried)):
+        found = check_frames(tried)
+        if all(one.passed for one in found) or (orders and _is_order_only(found)):
             return pair
     return None
 
@@ -142,4 +213,5 @@ def _turned(
         elif channel.quantity in (SPECIFIC_FORCE, ANGULAR_VELOCITY) and not poses_alone:
             channel = replace(channel, values=vectors_in(body, channel.values))
         channels.append(channel)
-    return replace(one, channels=tuple(channels))
+    told = {**one.parameters, "world": then[0], "body": then[1]}
+    return replace(one, channels=tuple(channels), parameters=told)

@@ -3,12 +3,14 @@
 Attitudes must have unit length; at rest and in hover the specific force is +9.8 m/s² along the
 body's z, and along the world's once it is turned by the attitude; the rates of an attitude must be
 those of the gyroscope, and the bend of a track the specific force.  Of the 24 turns of axes the
-identity must fit best, else the one that does is named.
+identity must fit best, else the one that does is named; so is the other order of quaternions, if
+all of that holds with it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -20,7 +22,14 @@ from springback.logs.clocks import (
     attitude_rates,
     clock_offset,
 )
-from springback.logs.frame_turns import axis_turns, turn_words, world_vectors
+from springback.logs.frame_turns import (
+    BODIES,
+    WORLDS,
+    axis_turns,
+    other_order,
+    turn_words,
+    world_vectors,
+)
 from springback.logs.free_fall import (
     GRAVITY,
     falling_samples,
@@ -56,6 +65,10 @@ UNIT_WIDTH = 1.5
 STILL_RATE, STILL_ACCELERATION = 0.05, 0.5
 #: Correlation that axes must reach, and by how much another turn must be better (chosen).
 AGREED, BETTER = 0.9, 0.02
+#: End of the name of a finding on the order of quaternions, and their two orders.
+ORDER, ORDERS = ", order", {"wxyz": "xyzw", "xyzw": "wxyz"}
+#: End of the name of a log's parameter that tells in which order they were read.
+ORDER_KEY = ".order"
 #: Half the time over which the bend of a track is taken [s] (chosen).
 BEND = 0.06
 #: Fastest that a vehicle flies [m/s], longest arm [m], and the same as a multiple of a known
@@ -69,6 +82,8 @@ class FrameFinding(NamedTuple):
     name: str
     passed: bool
     sentence: str
+    is_mistake: bool = False
+    """True if nothing but wrong axes, or a wrong order of quaternions, explains it."""
 
 
 def refuse_units(recording: Recording, arm_length: float | None = None) -> None:
@@ -153,19 +168,50 @@ def check_frames(recordings: Sequence[Recording]) -> list[FrameFinding]:
         found += [_resting(channel) for channel in one.of(SPECIFIC_FORCE) if len(channel.times) > 5]
     gyro, accelerometer = _best(recordings, ANGULAR_VELOCITY), _best(recordings, SPECIFIC_FORCE)
     for home, attitude in _attitudes(recordings):
-        offset = Offset(0.0, 1.0)
-        if gyro is not None:
-            offset = offset_of(home, attitude, gyro)
-            found.append(_gyro_finding(attitude, gyro[1], offset))
-        if accelerometer is not None and offset.correlation >= AGREED:
-            position = _beside(home, attitude)
-            found.append(_up_finding(attitude, position, accelerometer[1], offset.seconds))
-            if position is not None:
-                found.append(_bend_finding(attitude, position, accelerometer[1], offset.seconds))
+        about = _attitude_findings(home, attitude, gyro, accelerometer)
+        if not all(one.passed for one in about):
+            about = _order_findings(home, attitude, gyro, accelerometer) or about
+        found += about
     return list({one.name: one for one in reversed(found)}.values())[::-1]
 
 
 Home = tuple[Recording, LogChannel]
+
+
+def _attitude_findings(
+    home: Recording, attitude: LogChannel, gyro: Home | None, accelerometer: Home | None
+) -> list[FrameFinding]:
+    """What gyroscope, accelerometer and track say of an attitude."""
+    found, offset = list[FrameFinding](), Offset(0.0, 1.0)
+    if gyro is not None:
+        offset = offset_of(home, attitude, gyro)
+        found.append(_gyro_finding(attitude, gyro[1], offset))
+    if accelerometer is not None and offset.correlation >= AGREED:
+        position = _beside(home, attitude)
+        found.append(_up_finding(attitude, position, accelerometer[1], offset.seconds))
+        if position is not None:
+            found.append(_bend_finding(attitude, position, accelerometer[1], offset.seconds))
+    return found
+
+
+def _order_findings(
+    home: Recording, attitude: LogChannel, gyro: Home | None, accelerometer: Home | None
+) -> list[FrameFinding]:
+    """That the other order of quaternions is the true one; empty if it is not, or not known."""
+    told = home.parameters
+    order = str(told.get(f"{attitude.name}{ORDER_KEY}", ""))
+    if order not in ORDERS:
+        return []
+    turns = WORLDS[str(told["world"])], BODIES[str(told["body"])]
+    other = replace(attitude, values=other_order(*turns, attitude.values, order))
+    again = _attitude_findings(home, other, gyro, accelerometer)
+    if not again or not all(one.passed for one in again):
+        return []
+    said = (
+        f"its quaternions are {ORDERS[order]}, not {order} as they were read: so "
+        f"{'; '.join(one.sentence for one in again)}"
+    )
+    return [FrameFinding(f"{attitude.name}{ORDER}", False, said, is_mistake=True)]
 
 
 def _best(recordings: Sequence[Recording], quantity: str) -> Home | None:
@@ -226,9 +272,8 @@ def _resting(channel: LogChannel) -> FrameFinding:
         text = "falls freely, and rests nowhere: gravity cannot be compared"
         return FrameFinding(channel.name, True, text)
     mean = np.nanmedian(channel.values[quiet] if at_rest else channel.values, axis=0)
-    size = float(np.linalg.norm(mean))
+    size, tilt = float(np.linalg.norm(mean)), _tilt(mean)
     error = size / GRAVITY - 1.0
-    tilt = float(np.arccos(np.clip(mean[2] / size, -1.0, 1.0))) if size else np.pi
     when = "at rest" if at_rest else "at the median"
     text = f"{mean[2]:+.2f} m/s^2 along z {when} ({100.0 * error:+.1f} % of gravity)"
     if tilt > np.pi / 4.0:
@@ -237,7 +282,16 @@ def _resting(channel: LogChannel) -> FrameFinding:
         text = f"{size:.2f} m/s^2 along {side} {when}, not along +z: its axes are not FLU"
     most = GRAVITY_ERROR if at_rest else MEDIAN_ERROR
     passed = tilt < np.pi / 4.0 and abs(error) < most
-    return FrameFinding(channel.name, passed, text)
+    # A vehicle that lies on its side after an impact stood upright before it.
+    first = np.nanmedian(channel.values[channel.times < channel.times[0] + QUIET], axis=0)
+    is_mistake = not falls and min(tilt, _tilt(first)) > np.pi / 4.0
+    return FrameFinding(channel.name, passed, text, is_mistake)
+
+
+def _tilt(vector: Array) -> float:
+    """Angle of a vector from +z [rad]; π without a direction."""
+    size = float(np.linalg.norm(vector))
+    return float(np.arccos(np.clip(vector[2] / size, -1.0, 1.0))) if size else np.pi
 
 
 def _gyro_finding(attitude: LogChannel, gyro: LogChannel, offset: Offset) -> FrameFinding:
@@ -277,7 +331,7 @@ def _turn_finding(names: str, a: Array, b: Array, at: str, what: str) -> FrameFi
     return FrameFinding(
         names, False,
         f"{what} agree if the axes of the second are turned: {turn_words(axis_turns()[best])} "
-        f"({scores[best]:.3f}; as they are {scores[0]:.2f}); {at}",
+        f"({scores[best]:.3f}; as they are {scores[0]:.2f}); {at}", True,
     )  # fmt: skip
 
 
@@ -323,8 +377,7 @@ def _up_finding(
         felt, whole = _triangle_means(accelerometer, times, force, at + offset, width)
         if whole.sum() >= 10:
             mean, most = np.median(felt[whole] - told[whole], axis=0), TILT
-    size = float(np.linalg.norm(mean))
-    tilt = float(np.arccos(np.clip(mean[2] / size, -1.0, 1.0))) if size else np.pi
+    tilt = _tilt(mean)
     if tilt < most:
         return FrameFinding(names, True, f"gravity is {np.degrees(tilt):.1f} deg off the vertical")
     k = int(np.argmax(np.abs(mean)))
@@ -332,9 +385,12 @@ def _up_finding(
     why = "its world axes are not NWU, or its body axes are not those of the accelerometer"
     if tilt < LEAN:
         why = "the accelerometer is mounted askew, or the body's axes are"
+    # Without a track, what falls has no direction that tells.
+    is_mistake = tilt >= LEAN and (most == TILT or not falls_freely(force))
     return FrameFinding(
         names, False,
         f"the specific force is along the world's {side}, {np.degrees(tilt):.0f} deg off +z: {why}",
+        is_mistake,
     )  # fmt: skip
 
 
@@ -406,6 +462,7 @@ def _bend_finding(
         names, False,
         "the track bends as the specific force says if the accelerometer's axes are turned: "
         f"{turn_words(axis_turns()[best])} ({scores[best]:.3f}; as they are {scores[0]:.2f})",
+        scores[best] >= AGREED,
     )  # fmt: skip
 
 

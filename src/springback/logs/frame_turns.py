@@ -46,6 +46,19 @@ def attitudes_in(world: Array, body: Array, attitudes: Any) -> Array:
     return continuous(turned)
 
 
+def other_order(world: Array, body: Array, attitudes: Any, order: str) -> Array:
+    """Quaternions (w, x, y, z), shape (..., 4), as if their file had the other order.
+
+    Args:
+        world: Turn of the world's axes with which they were read.
+        body: Turn of the body's axes.
+        attitudes: As they were read.
+        order: In which they were read, ``wxyz`` or ``xyzw``.
+    """
+    given = attitudes_in(world.T, body.T, attitudes)
+    return attitudes_in(world, body, np.roll(given, 1 if order == "wxyz" else -1, axis=1))
+
+
 def continuous(attitudes: Array) -> Array:
     """Quaternions, shape (n, 4), with signs that make each nearest to the last one not lost."""
     known = np.flatnonzero(~np.isnan(attitudes).any(axis=1))

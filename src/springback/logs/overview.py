@@ -24,6 +24,7 @@ from springback.logs.recording import (
     Recording,
 )
 from springback.logs.segments import CONTACT, NEEDED, LogImpact, find_impacts, has_drops
+from springback.logs.time_units import refuse_time_units, time_factor
 
 #: TurnRates that are wanted [Hz] (chosen): of poses, rates of turn and rotors.
 POSE_RATE, GYRO_RATE, ROTOR_RATE = 100.0, 100.0, 50.0
@@ -81,11 +82,13 @@ def overview(recordings: Sequence[Recording]) -> Overview:
 
 
 def _overview(recordings: Sequence[Recording]) -> Overview:
+    refuse_time_units(recordings)
     for one in recordings:
         refuse_units(one)
     impacts = find_impacts(recordings)
     lines = [_line(one, channel) for one in recordings for channel in one.channels]
-    remarks = [f"{one.path.name}: {text}" for one in recordings for text in one.remarks]
+    remarks = damages(recordings)
+    remarks += [f"{one.path.name}: {text}" for one in recordings for text in one.remarks]
     remarks += [text for one in recordings for text in _losses(one)]
     remarks += [
         f"{channel.name}: its times are those of arrival over a link, not of the samples"
@@ -100,6 +103,11 @@ def _overview(recordings: Sequence[Recording]) -> Overview:
         tuple(impacts),
         verdict(recordings, impacts),
     )
+
+
+def damages(recordings: Sequence[Recording]) -> list[str]:
+    """What of logs is cut off or damaged, a sentence each."""
+    return [f"{one.path.name}: {text}" for one in recordings for text in one.damage]
 
 
 def _jump_findings(recordings: Sequence[Recording]) -> list[FrameFinding]:
@@ -180,9 +188,14 @@ def missing_for_impact(recordings: Sequence[Recording]) -> list[str]:
         best = forces[0]
         count = resolution(best)
         if count < NEEDED:
+            factor = time_factor(best)
+            other = (
+                f" (or its times are in another unit: {factor:g} times shorter they have "
+                f"{factor * best.rate:.4g} Hz)" if factor != 1.0 else ""
+            )  # fmt: skip
             found.append(
-                f"the fastest acceleration, {best.name}, has {best.rate:.0f} Hz: {count} samples "
-                f"in a contact of {1e3 * CONTACT:.0f} ms; {NEEDED} are needed{hint}"
+                f"the fastest acceleration, {best.name}, has {best.rate:.3g} Hz: {count} samples "
+                f"in a contact of {1e3 * CONTACT:.0f} ms; {NEEDED} are needed{hint}{other}"
             )
         if best.chain.average is not None and best.chain.average > CONTACT / NEEDED:
             found.append(
@@ -283,9 +296,10 @@ def verdict(recordings: Sequence[Recording], impacts: Sequence[LogImpact]) -> st
         return f"{many}: {why}{drop}"
     if drop:
         return f"no impact from the side, but from above{drop}"
+    lost = "".join(f"; {text}" for text in damages(recordings))
     if blind := blind_spots(recordings):
-        return f"no impact, and this log could not have shown one: {'; '.join(blind)}"
-    return "no impact"
+        return f"no impact, and this log could not have shown one: {'; '.join(blind)}{lost}"
+    return f"no impact{lost}"
 
 
 def as_data(found: Overview) -> dict[str, Any]:

@@ -149,6 +149,8 @@ class Recording:
     """What the reader saw and did, a sentence each."""
     others: tuple[str, ...] = ()
     """Channels of bodies that are not the vehicle."""
+    damage: tuple[str, ...] = ()
+    """What is cut off or damaged, so that a part of the flight may be missing, a sentence each."""
 
     def within(self, part: TimeSpan) -> Recording:
         """The recording in a part of the time.

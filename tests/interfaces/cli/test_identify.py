@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import shutil
 import subprocess
 import sys
@@ -13,6 +14,8 @@ from click.testing import CliRunner
 
 from builders.recordings import files, whole
 from springback.errors import InputError
+from springback.identification.design import coverage
+from springback.identification.design.coverage import Coverage, FieldCoverage
 from springback.interfaces.cli.app import cli
 from springback.logs.reading import read_recording
 from springback.logs.writing.writers import write_recording
@@ -141,3 +144,121 @@ def test_the_example_shows_its_impact() -> None:
     shown = said("segment", str(EXAMPLE))
     assert shown.startswith("1 impact\nat ")
     assert "FAIL" not in said("inspect", str(EXAMPLE))
+
+
+def wrong_table(folder: Path, *changes: tuple[str, str]) -> str:
+    """A mapping file of a whole flight, with some of its words changed."""
+    write_recording(whole(), folder / "mine.csv")
+    text = (folder / "mine.toml").read_text()
+    for old, new in changes:
+        assert old in text
+        text = text.replace(old, new)
+    (folder / "mine.toml").write_text(text)
+    return str(folder / "mine.toml")
+
+
+WRONG = {
+    "body": (('body = "flu"', 'body = "frd"'), 'world = "nwu" body = "flu"'),
+    "world": (('world = "nwu"', 'world = "ned"'), 'world = "nwu" body = "flu"'),
+    "order": (('quantity = "attitude"\n', 'quantity = "attitude"\norder = "xyzw"\n'),
+              'order = "wxyz" of vehicle.attitude in the mapping file of mine.csv'),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("mistake", WRONG)
+def test_a_log_in_wrong_axes_is_refused_by_segment_and_replay_as_inspect_says(
+    folder: Path, mistake: str
+) -> None:
+    """They went on with exit code 0, and blamed speeds, the start or the obstacle."""
+    change, mend = WRONG[mistake]
+    log = wrong_table(folder, change)
+    shown = said("inspect", log)
+    failed = [line.removeprefix("  FAIL  ") for line in shown.splitlines() if "  FAIL  " in line]
+    assert f"all findings pass with {shown.splitlines()[-1].split('pass with ')[1]}" in shown
+    scenario = str(EXAMPLE.parent / "arq_wall.toml")
+    out = str(folder / "replayed")
+    for words in (
+        ["identify", "segment", log],
+        ["fly", scenario, "--against", log, "--out", out],
+    ):
+        refused = CliRunner().invoke(cli, words).exception
+        assert isinstance(refused, InputError)
+        assert any(
+            refused.problems[0].startswith(f"{folder / 'mine.csv'}: {one}") for one in failed
+        )
+        assert mend in refused.problems[0]
+        assert not Path(out).exists()
+    done = CliRunner().invoke(cli, ["identify", "segment", log, "--no-check"])
+    assert done.exit_code == 0
+    assert "warning: " in done.stderr
+    assert failed[0] in done.stderr
+
+
+def test_times_in_another_unit_are_refused_by_every_command(folder: Path) -> None:
+    """The gyroscope or the positions were blamed, whose units were right."""
+    log = wrong_table(folder, ("[[channels]]\n", '[[channels]]\ntime_unit = "ms"\n'))
+    scenario = str(EXAMPLE.parent / "arq_wall.toml")
+    for words in (
+        ["identify", "inspect", log],
+        ["identify", "segment", log],
+        ["fly", scenario, "--against", log, "--out", str(folder / "replayed")],
+    ):
+        refused = CliRunner().invoke(cli, words).exception
+        assert isinstance(refused, InputError)
+        assert "mine.csv: accelerometer, gyroscope" in refused.problems[0]
+        assert "their times are probably in s, not in ms: " in refused.problems[0]
+
+
+def test_a_log_that_is_cut_off_is_read_with_a_warning_that_says_where(folder: Path) -> None:
+    data = (folder / "hit.ulg").read_bytes()
+    place = r"cut\.ulg: the log ends within a message, at byte \d+, \d\.\d{3} s by its clock"
+    for share, exits in ((0.9, 0), (0.3, 2)):  # after the impact, and before it
+        (folder / "cut.ulg").write_bytes(data[: int(share * len(data)) + 5])
+        done = run("inspect", "cut.ulg", cwd=folder)
+        assert done.returncode == 0
+        assert re.search(rf"^warning: {place}: it was cut off$", done.stderr, re.M)
+        found = run("segment", "cut.ulg", cwd=folder)
+        assert found.returncode == exits
+        assert re.search(place, found.stderr)
+    (folder / "cut.ulg").write_bytes(data[:10])
+    for command in ("inspect", "segment"):
+        done = run(command, "cut.ulg", cwd=folder)
+        assert done.returncode == 2
+        assert done.stderr == "error: cut.ulg: is cut off after 10 of the 16 bytes of its head\n"
+
+
+CHECKED = Coverage(
+    (FieldCoverage("vehicle.arms.stiffness", 10, 9, 0.6, 0.98, 0.1, 1.0, 0.02, True, "N/m"),),
+    10, (), 1, 20.0, {},
+)  # fmt: skip
+
+
+def test_check_writes_its_table_and_replaces_nothing_without_force(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It had no --out, and click proposed --quiet."""
+    flown = []
+
+    def stub(*given: object, **more: object) -> Coverage:
+        flown.append(given)
+        return CHECKED
+
+    monkeypatch.setattr(coverage, "check_coverage", stub)
+    plan, out = EXAMPLE.parent / "fit.toml", tmp_path / "checked"
+    words = ["identify", "check", str(plan), "--sets", "10", "--out", str(out)]
+    done = CliRunner().invoke(cli, words, catch_exceptions=False)
+    assert done.exit_code == 0
+    assert "vehicle.arms.stiffness: 90.0 % have the truth" in done.stdout
+    assert "written to" in done.stderr
+    data = json.loads((out / "check.json").read_text())
+    assert (data["sets"], data["alarms"], data["fields"][0]["share"]) == (10, 1, 0.9)
+    head, row = (out / "check.csv").read_text().splitlines()
+    assert head == "name,sets,covered,low,high,bias,spread,half_width,relative,unit,share"
+    assert row == "vehicle.arms.stiffness,10,9,0.6,0.98,0.1,1.0,0.02,True,N/m,0.9"
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["checked"]
+    assert sorted(path.name for path in out.iterdir()) == ["check.csv", "check.json"]
+    refused = CliRunner().invoke(cli, words)
+    assert "is not empty; give another folder, or --force" in str(refused.exception)
+    assert len(flown) == 1  # before anything is flown
+    assert CliRunner().invoke(cli, [*words, "--force"]).exit_code == 0
+    assert CliRunner().invoke(cli, words[:5], catch_exceptions=False).exit_code == 0

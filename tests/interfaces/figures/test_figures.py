@@ -30,10 +30,23 @@ from builders.paper_results import (
 )
 from interfaces.legible import axis_label, complaints
 from springback.campaign.access import Campaign
-from springback.campaign.analysis.marginals import field_map, fields_of, marginal
+from springback.campaign.analysis.marginals import (
+    SUCCESS,
+    FieldMap,
+    Marginal,
+    MarginalCell,
+    MeasureColumn,
+    Scale,
+    field_map,
+    fields_of,
+    marginal,
+)
+from springback.campaign.analysis.sensitivity import Sensitivity
 from springback.interfaces.figures import ablation, campaign, envelope, style
 from springback.interfaces.figures import flight as plots
 from springback.interfaces.figures.chart import Chart
+from springback.interfaces.figures.fits.likelihood import correlations_figure
+from springback.interfaces.figures.measures import sensitivity_figure
 from springback.interfaces.figures.style import StyledFigure
 from springback.interfaces.output import robots
 from springback.interfaces.reports.page import FigureBlock
@@ -41,6 +54,7 @@ from springback.interfaces.reproduction import figure_list, report
 from springback.interfaces.reproduction import overview as report_overview
 from springback.interfaces.reproduction.figures import drawings, free_flight, overview
 from springback.interfaces.reproduction.report import Results
+from springback.intervals import IntervalEstimate
 from springback.paper.printed import printed_success
 from springback.studies.ablation import RANGES, ROBOTS, VARIANTS, AblationOutcome, WhyResults
 from springback.studies.run_ups import CONDITIONS
@@ -77,6 +91,41 @@ def campaign_figures(folder: Path) -> dict[str, StyledFigure]:
     }
 
 
+#: Fields as materials and guards draw them, with long paths; and those of a fit with all that is
+#: known of a vehicle.
+LONG = {
+    "vehicle.hulls[0].surface.stiffness": "N/m", "vehicle.hulls[0].surface.dissipation": "s/m",
+    "world.obstacles[0].surface.restitution": "", "friction": "",
+    "start.velocity[0]": "m/s",
+}  # fmt: skip
+FITTED = [
+    *(f"world.obstacles.0.surface.{name}" for name in ("stiffness", "dissipation", "friction")),
+    *(f"vehicle.arms.{name}" for name in ("stiffness", "damping", "mass")), "vehicle.body.mass",
+    *(f"vehicle.arms.directions.{k}" for k in range(4)),
+    *(f"vehicle.body.inertia.{k}" for k in range(3)),
+]  # fmt: skip
+
+
+def long_figures() -> dict[str, StyledFigure]:
+    """Figures of fields with long names, and of many of them."""
+    edges = tuple(np.linspace(10000.0, 20000.0, 5))
+    scales = [Scale(name, unit, (), edges, False, "") for name, unit in LONG.items()]
+    cells = tuple(MarginalCell(at, 9, IntervalEstimate(0.5, 0.3, 0.7)) for at in edges)
+    success = MeasureColumn(SUCCESS, "", "")
+    found = [Marginal(success, one, {"arq": cells}) for one in scales]
+    over = FieldMap(
+        success, scales[0], scales[2], {"arq": np.full((4, 4), 9)}, {"arq": np.full((4, 4), 0.5)}
+    )
+    indices = {name: IntervalEstimate(0.3, 0.2, 0.4) for name in LONG}
+    rest = np.random.default_rng(1).normal(size=(len(FITTED), 20))
+    return {
+        "long marginals": campaign.marginals_figure(found),
+        "long map": campaign.field_map_figure(over),
+        "long indices": sensitivity_figure(Sensitivity(success, {"arq": indices}, {"arq": 9})),
+        "many correlations": correlations_figure(FITTED, np.corrcoef(rest)),
+    }
+
+
 @pytest.fixture(scope="module")
 def figures(tmp_path_factory: pytest.TempPathFactory) -> dict[str, StyledFigure]:
     """Every figure; those of collisions in flight and of detection are in tests of their own, and the
@@ -97,6 +146,7 @@ def figures(tmp_path_factory: pytest.TempPathFactory) -> dict[str, StyledFigure]
         "map": envelope.map_figure(plane_map(), printed_success),
         "ablation": ablation.ablation_figure(why_results()),
         "ranges": ablation.ranges_figure(why_results()),
+        **long_figures(),
         **campaign_figures(tmp_path_factory.mktemp("campaign") / "c"),
     }
 

@@ -33,6 +33,7 @@ from springback.logs.recording import (
 )
 from springback.logs.segments import LogImpact, find_impacts, has_drops
 from springback.logs.thrusts import is_share, logged_thrusts
+from springback.logs.time_units import refuse_time_units
 from springback.scenario.code_files import with_absolute_names
 from springback.scenario.files import read_scenario
 from springback.scenario.overrides import apply_overrides
@@ -241,6 +242,7 @@ def replay(
             f"--before: must be above 0 s and at most {LONGEST:g} s (got {options.before:g} s)"
         )
     _check_order(scenario, options.rotors)
+    refuse_time_units(recordings)
     refuse_clock_jumps(recordings)
     for one in recordings:
         refuse_units(one, max(scenario.start_state().arm_length, default=None))

@@ -41,7 +41,8 @@ def replay_against(
         scenario: Its file.
         overrides: Of the scenario.
         logs: Of one flight.
-        reading: Fields of `springback.logs.reading.LogOptions`, and the vehicle's ``track``.
+        reading: Fields of `springback.logs.reading.LogOptions`, the vehicle's ``track``, and
+            ``no_check``, to go on where the data contradict their axes.
         wanted: Fields of `springback.identification.replays.replay.ReplayOptions`.
 
     Raises:
@@ -50,13 +51,26 @@ def replay_against(
     from springback.identification.replays.errors import channel_errors, error_rows
     from springback.identification.replays.replay import ReplayOptions, replay, scenario_tables
     from springback.interfaces.cli.identify.logs import recordings_of
+    from springback.logs.axes_options import refuse_wrong_axes
+    from springback.logs.clock_jumps import refuse_clock_jumps
+    from springback.logs.frame_check import refuse_units
+    from springback.logs.overview import damages
+    from springback.logs.time_units import refuse_time_units
     from springback.logs.vehicle_track import with_vehicle
 
     reading = dict(reading)
     ready, tables = scenario_tables(scenario, overrides)
-    track = reading.pop("track", None)
-    recordings = with_vehicle(recordings_of(logs, **reading), track)
+    track, goes_on = reading.pop("track", None), bool(reading.pop("no_check", False))
+    read = recordings_of(logs, **reading)
+    refuse_time_units(read)
+    recordings = with_vehicle(read, track)
+    refuse_clock_jumps(recordings)
+    for one in recordings:
+        refuse_units(one)
+    axes = reading.get("world"), reading.get("body")
+    doubts = refuse_wrong_axes(recordings, *axes, goes_on=goes_on)
     flown = replay(ready, tables, recordings, ReplayOptions(**wanted))
+    flown.warnings[:0] = [*damages(recordings), *doubts]
     channels = channel_errors(flown)
     return ReplayTable(flown, channels, error_rows(flown, channels))
 

@@ -13,10 +13,10 @@ import click
 from springback.errors import FlightWarning, InputError
 from springback.interfaces.cli.common import FIRST, PATH, Output, output_options, say
 from springback.interfaces.cli.completion import ScenarioPath, complete_code, complete_setting
-from springback.interfaces.cli.identify.logs import log_options, track_option
+from springback.interfaces.cli.identify.logs import log_options, no_check_option, track_option
 
 #: Names of options whose values are passed under others.
-_OPTIONS = {"first": "from", "last": "until"}
+_OPTIONS = {"first": "from", "last": "until", "no_check": "no-check"}
 
 
 @click.command()
@@ -68,6 +68,7 @@ _OPTIONS = {"first": "from", "last": "until"}
 )
 @log_options  # fmt: skip
 @track_option
+@no_check_option
 @output_options("Folder for summary.json, trajectory.parquet, figures.")
 def fly(
     scenario: Path,
@@ -148,7 +149,8 @@ def _fly_against(
     from springback.scenario.files import as_input
     from springback.scenario.scenario import scenario_from
 
-    reading = {name: given[name] for name in ("first", "last", "world", "body", "track")}
+    names = ("first", "last", "world", "body", "track", "no_check")
+    reading = {name: given[name] for name in names}
     before, impact = given["before"], given["impact"]
     wanted = {"rotors": rotor_order(given["rotors"]), "align": given["align"], "impact": impact}
     if before is not None:

@@ -33,8 +33,12 @@ ABREAST, PANEL = 3, (2.5, 2.0)
 SIDE, MAP, WRITTEN = 2, (3.2, 2.9), 8
 #: Labels of panels are wrapped if longer than this [characters].
 WIDEST = 26
+#: The same of labels along a side of a map [characters].
+WIDEST_OF_MAP = 36
 #: Labels of levels are slanted if longer than this in total [characters] (chosen).
 LONG = 22
+#: Numbers of ticks that are long (chosen).
+MANY_DIGITS = 1e4
 #: Smallest number of ticks of a logarithmic axis, and largest number of labels (chosen).
 ENOUGH, MOST_TICKS = 3, 5
 
@@ -49,6 +53,21 @@ def label(scale: Scale) -> str:
     if scale.labels and not scale.edges:
         return in_words(scale.name)
     return f"{in_words(scale.name)} [{display_unit(scale.unit).symbol}]"
+
+
+def wrapped_label(text: str, most: int = WIDEST) -> str:
+    """Label in two lines if it is long: broken before a point of a field's path, else at a blank.
+
+    Args:
+        text: Such as ``world.obstacles[0].surface.restitution [-]``.
+        most: Characters of a line.
+    """
+    if len(text) <= most:
+        return text
+    places = [k for k, letter in enumerate(text) if letter == "." and 0 < k <= most]
+    if not places:
+        return textwrap.fill(text, most)
+    return f"{text[: places[-1]]}\n{text[places[-1] :]}"
 
 
 def in_words(name: str) -> str:
@@ -126,10 +145,12 @@ def _line(chart: Chart, one: Marginal, robot: str, look: RobotStyle, factor: flo
 
 def field_ticks(axes: Axes, scale: Scale) -> None:
     """Label the x axis with a field and its levels, and space it as the field is."""
-    axes.set_xlabel(label(scale))  # of words, too
+    axes.set_xlabel(wrapped_label(label(scale)))  # of words, too
     if scale.logarithmic:
         axes.set_xscale("log")
         _log_ticks(axes.xaxis, scale)
+    elif not scale.labels:
+        _few_ticks(axes.xaxis, scale)
     if scale.labels and not scale.edges:
         long = sum(map(len, scale.labels)) > LONG
         slant: dict[str, Any] = {"rotation": 20, "ha": "right"} if long else {}
@@ -169,6 +190,12 @@ def tick_label(tick: float) -> str:
     return f"$10^{{{power}}}$" if digits == "1" else f"${digits} \\cdot 10^{{{power}}}$"
 
 
+def _few_ticks(axis: Any, scale: Scale) -> None:
+    """Fewer ticks where numbers are long, so that they keep clear of each other."""
+    if max(abs(float(edge)) for edge in display_values(scale, scale.edges)) >= MANY_DIGITS:
+        axis.axes.locator_params(axis=axis.axis_name, nbins=4)
+
+
 def _log_ticks(axis: Any, scale: Scale) -> None:
     """Set ticks at round numbers of a logarithmic field."""
     low, *_, high = (float(edge) for edge in display_values(scale, scale.edges))
@@ -199,7 +226,7 @@ def field_map_figure(found: FieldMap) -> Figure:
         _write_cells(panel, found, image, values, flights)
         panel.set_facecolor(SHADE)
         chart = Chart(panel, label(found.x), label(found.y), look[1].label)
-        panel.set_xlabel(label(found.x))
+        panel.set_xlabel(wrapped_label(label(found.x), WIDEST_OF_MAP))
         x, y = np.meshgrid(_middles(found.x), _middles(found.y))
         head = measure_label(found.measure, unit)
         numbers = {head: values.ravel(), FLIGHTS: flights.ravel()}
@@ -207,7 +234,7 @@ def field_map_figure(found: FieldMap) -> Figure:
         _map_ticks(panel.xaxis, found.x)
         _map_ticks(panel.yaxis, found.y)
     for axes in grid[:, 0]:
-        axes.set_ylabel(label(found.y))
+        axes.set_ylabel(wrapped_label(label(found.y), WIDEST_OF_MAP))
     for axes in list(grid.flat)[len(robots) :]:
         axes.set_visible(False)
     bar_look: dict[str, Any] = {"shrink": 0.95, "aspect": 26}
@@ -240,13 +267,14 @@ def _write_cells(panel: Axes, found: FieldMap, image: Any, values: Any, flights:
         few, many = int(flights.min()), int(flights.max())
         panel.set_title(f"{few} to {many} flights in a cell", loc="right", fontsize=7)
         return
+    size = 6.7 if len(found.flights) > 1 else 7.7  # a single map is one column wide in print
     x, y = (_centres(one) for one in (found.x, found.y))
     for (row, column), value in np.ndenumerate(values):
         count = f"n = {int(flights[row, column])}"
         place = float(image.norm(value)) if np.isfinite(value) else 1.0
         text = f"{_written(found, value)}\n{count}" if np.isfinite(value) else "–"
         panel.text(
-            x[column], y[row], text, ha="center", va="center", size=6.7, linespacing=1.15,
+            x[column], y[row], text, ha="center", va="center", size=size, linespacing=1.15,
             color=ink(place), clip_on=True,
         )  # fmt: skip
 
@@ -293,6 +321,8 @@ def _map_ticks(axis: Any, scale: Scale) -> None:
         if scale.logarithmic:
             axis.axes.set(**{f"{axis.axis_name}scale": "log"})
             _log_ticks(axis, scale)
+        elif axis.axis_name == "x":
+            _few_ticks(axis, scale)
         return
     words = _level_words(scale)
     step = math.ceil(len(words) / 9)

@@ -17,6 +17,8 @@ from springback.interfaces.output.quantities import display_unit
 from springback.interfaces.output.robots import robot_styles
 from springback.intervals import CONFIDENCE
 
+#: Width of a letter of a field's name [in] (chosen).
+LETTER = 0.075
 #: Fewest and most bins of a histogram, and most points of a curve (chosen).
 BINS, POINTS = (8, 48), 400
 
@@ -75,7 +77,9 @@ def sensitivity_figure(found: Sensitivity) -> Figure:
         found: Indices, of at least one robot.
     """
     names = found.ranking()[::-1]
-    figure = StyledFigure(figsize=(5.3, 0.9 + 0.32 * len(names)))
+    labels = [in_words(name) for name in names]
+    width = max(5.3, 4.3 + LETTER * max(map(len, labels)))  # the rows' names are beside 4.3 in
+    figure = StyledFigure(figsize=(width, 0.9 + 0.32 * len(names)))
     axes = figure.subplots()
     chart = Chart(axes, "Share of the variance that the field alone explains [-]", "field")
     looks = robot_styles(found.robots)
@@ -87,7 +91,7 @@ def sensitivity_figure(found: Sensitivity) -> Figure:
             look.label, value, y, low, high, across=True, columns={chart.y: names}, ls="none",
             color=look.colour, marker=look.marker, ms=4.5, capsize=2.0, elinewidth=1.0,
         )  # fmt: skip
-    axes.set_yticks(range(len(names)), [in_words(name) for name in names])
+    axes.set_yticks(range(len(names)), labels)
     axes.set(xlim=(-0.02, 1.02), ylim=(-0.6, len(names) - 0.4))
     axes.grid(visible=False, axis="y")
     figure.legend(loc="outside upper center", ncols=len(found.robots))

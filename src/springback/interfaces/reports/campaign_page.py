@@ -28,6 +28,7 @@ from springback.interfaces.reports.outcomes import (
     distribution_table,
     drawn_ranges,
     failure_table,
+    four_digits,
     level_table,
     measure_unit,
     outcome_table,
@@ -130,8 +131,9 @@ def _pictures(
     if one.distribution is not None:
         figure = measure_figures.distribution_figure(one.distribution)
         add("distribution", figure, "distribution")
-    if one.marginals:
-        add("marginals", figures.marginals_figure(one.marginals), f"marginals_{key}")
+    varied = [each for each in one.marginals if each.scale.cells > 1]  # others are one point
+    if varied:
+        add("marginals", figures.marginals_figure(varied), f"marginals_{key}")
     if one.sensitivity.robots:
         figure = measure_figures.sensitivity_figure(one.sensitivity)
         add("sensitivity", figure, f"sensitivity_{key}")
@@ -145,10 +147,10 @@ def _pictures(
 
 def _usual_pairs(one: MeasureReport) -> list[tuple[str, str]]:
     """Pairs of the first fields of the plan; for a measure of those that it depends on most."""
-    names = [marginal.scale.name for marginal in one.marginals]
+    names = [marginal.scale.name for marginal in one.marginals if marginal.scale.cells > 1]
     if one.name == SUCCESS:
         return list(combinations(names[:MOST_PAIRED], 2))
-    ranked = one.sensitivity.ranking() or names
+    ranked = [name for name in one.sensitivity.ranking() if name in names] or names
     return list(combinations(sorted(ranked[:MEASURE_PAIRED], key=names.index), 2))
 
 
@@ -267,7 +269,7 @@ def _replays(found: FailureList) -> list[Sequence[Entry]]:
 
 def _entry(value: Any) -> Entry:
     if isinstance(value, float):
-        return TableCell(f"{value:.4g}", value)
+        return TableCell(four_digits(value), value)
     return _plain(value) if isinstance(value, str) else value
 
 

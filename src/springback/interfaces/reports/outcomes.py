@@ -123,7 +123,13 @@ def failure_table(found: FailureList) -> Rows:
 
 
 def _field_text(value: Any, unit: DisplayUnit) -> str:
-    return f"{value * unit.factor:.4g}" if isinstance(value, float) else str(value)
+    return four_digits(value * unit.factor) if isinstance(value, float) else str(value)
+
+
+def four_digits(value: float) -> str:
+    """Number of four digits, without an exponent where its digits are few."""
+    text = f"{value:.4g}"
+    return f"{float(text):.0f}" if "e" in text and 1e4 <= abs(value) < 1e7 else text
 
 
 def _quantiles(quantiles: Sequence[IntervalEstimate], factor: float) -> list[str]:
@@ -144,7 +150,13 @@ def drawn_ranges(campaign: Campaign) -> list[str]:
     """Ranges of a campaign that have a source, such as those of materials."""
     sourced = [one for one in campaign.design.plan.vary if one.source is not None]
     return [
-        f"{one.field} {one.from_} to {one.to} ({one.source})" if one.from_ is not None
+        f"{one.field} {_end_text(one.from_)} to {_end_text(one.to)} ({one.source})"
+        if one.from_ is not None
         else f"{one.field} ({one.source})"
         for one in sourced
     ]  # fmt: skip
+
+
+def _end_text(end: object) -> str:
+    """End of a range as a plan has it; of a number, such as one derived, five digits."""
+    return f"{end:.5g}" if isinstance(end, float) else str(end)

@@ -380,7 +380,8 @@ def read_px_log(path: Path, part: TimeSpan) -> Recording:
     """
     file = read_ulog(path, frozenset(MAKERS), part, Budget(str(path)))
     channels = channels_of(str(path), file.topics, file.parameters)
-    refuse_without_channels(str(path), channels, ", ".join(sorted(MAKERS)), file.remarks)
+    seen = [*file.damage, *file.remarks]
+    refuse_without_channels(str(path), channels, ", ".join(sorted(MAKERS)), seen)
     remarks = list(file.remarks)
     if "SENS_BOARD_ROT" in file.parameters and _board(file.parameters) is None:
         remarks.append(
@@ -388,5 +389,6 @@ def read_px_log(path: Path, part: TimeSpan) -> Recording:
             "channels are left out"
         )
     return Recording(
-        path, "ULog", tuple(channels), tuple(file.dropouts), file.parameters, tuple(remarks)
-    )
+        path, "ULog", tuple(channels), tuple(file.dropouts), file.parameters, tuple(remarks),
+        damage=tuple(file.damage),
+    )  # fmt: skip

@@ -101,11 +101,11 @@ def read_bag(path: Path, part: TimeSpan, world: str, body: str) -> Recording:
     Raises:
         InputError: If it cannot be read, or nothing of it can be used.
     """
-    where, remarks = str(path), list[str]()
+    where, remarks, damage = str(path), list[str](), list[str]()
     decoder, collector = _Decoder(), RosCollector(where, part, world, body)
     damaged = 0
     for file, messages in _sources(path):
-        for raw in messages(file, remarks):
+        for raw in messages(file, remarks, damage):
             if len(raw.data) > LONGEST_MESSAGE:
                 continue
             try:
@@ -119,7 +119,7 @@ def read_bag(path: Path, part: TimeSpan, world: str, body: str) -> Recording:
                 if damaged > 1000:
                     raise refuse_damage(where, error, "messages") from None
     if damaged:
-        remarks.append(f"{damaged} messages are damaged and were skipped")
+        damage.append(f"{damaged} messages are damaged and were skipped")
     remarks += [
         f"{kind}: has no definition in the bag, so that it is not read"
         for _, kind in sorted(decoder.unknown)
@@ -130,13 +130,15 @@ def read_bag(path: Path, part: TimeSpan, world: str, body: str) -> Recording:
         where,
         channels,
         f"{', '.join(kinds)} and messages of px4_msgs",
-        (*remarks, *collector.remarks()),
+        (*damage, *remarks, *collector.remarks()),
     )
     name = {".bag": "ROS 1 bag", ".mcap": "MCAP"}.get(path.suffix.lower(), "ROS 2 bag")
-    return Recording(path, name, tuple(channels), remarks=(*remarks, *collector.remarks()))
+    return Recording(
+        path, name, tuple(channels), remarks=(*remarks, *collector.remarks()), damage=tuple(damage)
+    )
 
 
-Source = Callable[[Path, list[str]], Iterator[RawMessage]]
+Source = Callable[[Path, list[str], list[str]], Iterator[RawMessage]]
 
 
 def _sources(path: Path) -> list[tuple[Path, Source]]:
@@ -149,7 +151,7 @@ def _sources(path: Path) -> list[tuple[Path, Source]]:
     return [(one, _SUFFIXES[one.suffix.lower()]) for one in files]
 
 
-def _mcap_messages(path: Path, remarks: list[str]) -> Iterator[RawMessage]:
+def _mcap_messages(path: Path, remarks: list[str], damage: list[str]) -> Iterator[RawMessage]:
     """Messages of an MCAP file, in the order of the file."""
     stream_reader = needs("mcap.stream_reader", "logs")
     records = needs("mcap.records", "logs")
@@ -164,7 +166,7 @@ def _mcap_messages(path: Path, remarks: list[str]) -> Iterator[RawMessage]:
                 record = next(found, None)
             except Exception as error:  # a damaged or truncated file: what is whole was read
                 said = " ".join(str(error).split())[:100] or type(error).__name__
-                remarks.append(f"{path.name}: is damaged, and what follows is lost ({said})")
+                damage.append(f"{path.name}: is damaged, and what follows is lost ({said})")
                 break
             if record is None:
                 break
@@ -196,7 +198,7 @@ def _mcap_channel(
     return None
 
 
-def _sqlite_messages(path: Path, remarks: list[str]) -> Iterator[RawMessage]:
+def _sqlite_messages(path: Path, remarks: list[str], damage: list[str]) -> Iterator[RawMessage]:
     """Messages of a ROS 2 bag in SQLite, in the order of the file."""
     try:
         with closing(sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", uri=True)) as base:
@@ -231,7 +233,7 @@ def _sqlite_messages(path: Path, remarks: list[str]) -> Iterator[RawMessage]:
         raise refuse_damage(str(path), error, "a ROS 2 bag") from None
 
 
-def _bag_messages(path: Path, remarks: list[str]) -> Iterator[RawMessage]:
+def _bag_messages(path: Path, remarks: list[str], damage: list[str]) -> Iterator[RawMessage]:
     """Messages of a ROS 1 bag, in the order of arrival."""
     rosbag = needs("rosbags.rosbag1", "logs")
     try:

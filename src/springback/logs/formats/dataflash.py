@@ -91,16 +91,18 @@ def read_dataflash(path: Path, part: TimeSpan) -> Recording:
     Raises:
         InputError: If it is none, or nothing of it can be used.
     """
-    where, remarks = str(path), list[str]()
+    where, damage = str(path), list[str]()
     parser = _BinParser(where, part)
     with path.open("rb") as file:
         if file.read(3) != HEAD + bytes((FORMAT,)):
             raise InputError(f"{where}: is no binary log of ArduPilot (it begins otherwise)")
         file.seek(0)
-        parser.read(file, remarks)
+        parser.read(file, damage)
     channels = _channels(where, parser)
-    refuse_without_channels(where, channels, ", ".join(sorted(WANTED)), remarks)
-    return Recording(path, "ArduPilot BIN", tuple(channels), (), parser.parameters, tuple(remarks))
+    refuse_without_channels(where, channels, ", ".join(sorted(WANTED)), damage)
+    return Recording(
+        path, "ArduPilot BIN", tuple(channels), parameters=parser.parameters, damage=tuple(damage)
+    )
 
 
 class _BinParser:
@@ -111,8 +113,9 @@ class _BinParser:
         self.formats: dict[int, _Format | int] = {}  # a length where a format is damaged
         self.rows: dict[tuple[str, int], _MessageRows] = {}
         self.parameters: dict[str, float | int | str] = {}
+        self.last = 0.0
 
-    def read(self, file: BinaryIO, remarks: list[str]) -> None:
+    def read(self, file: BinaryIO, damage: list[str]) -> None:
         """Read all messages; after damage, on from the next one that is known."""
         data, at, damaged, ended = b"", 0, 0, False
         while True:
@@ -133,7 +136,11 @@ class _BinParser:
                     break
                 continue
             if len(data) - at < length:
-                remarks.append("the log ends within a message: it was cut off")
+                place = file.tell() - len(data) + at
+                damage.append(
+                    f"the log ends within a message, at byte {place}, {self.last:.3f} s by its "
+                    "clock: it was cut off"
+                )
                 break
             if kind == FORMAT:
                 self._format(data[at + 3 : at + FORMAT_LENGTH])
@@ -141,7 +148,7 @@ class _BinParser:
                 self._message(known, data, at + 3)
             at += length
         if damaged:
-            remarks.append(f"the log is damaged in {damaged} places, which were skipped")
+            damage.append(f"the log is damaged in {damaged} places, which were skipped")
 
     def _format(self, body: bytes) -> None:
         kind, length = body[0], body[1]
@@ -172,6 +179,7 @@ class _BinParser:
         if not isinstance(time, int) or not set(wanted) <= values.keys():
             return
         seconds = time / (1e6 if "TimeUS" in values else 1e3)
+        self.last = seconds
         if not self.part.has(seconds):
             return
         if "SampleUS" in values and isinstance(values["SampleUS"], int) and values["SampleUS"]:

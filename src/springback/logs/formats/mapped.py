@@ -210,8 +210,12 @@ def read_mapped(path: Path, part: TimeSpan) -> Recording:
         columns = _text_columns(table, mapping, wanted, budget)
     channels = tuple(_channel(str(table), one, mapping.axes, columns, part)
                      for one in mapping.channels)  # fmt: skip
-    axes = {"world": mapping.axes.world, "body": mapping.axes.body}
-    return Recording(table, MAPPED, channels, parameters=axes)
+    told = {"world": mapping.axes.world, "body": mapping.axes.body}
+    for one in mapping.channels:
+        told[f"{one.name}.time_unit"] = one.time_unit
+        if one.quantity == ATTITUDE:
+            told[f"{one.name}.order"] = one.order
+    return Recording(table, MAPPED, channels, parameters=told)
 
 
 def _text_columns(

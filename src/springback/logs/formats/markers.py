@@ -77,9 +77,9 @@ def read_markers(path: Path, part: TimeSpan, world: str) -> Recording:
             frames.append(row.reshape(points, 4))
     if not frames:
         raise InputError(f"{where}: has no frames")
-    remarks = []
+    remarks, damage = list[str](), list[str]()
     if len(frames) < counts - begin and not np.isfinite(part.last):
-        remarks.append(f"ends after {len(frames)} of {counts} frames: it was cut off")
+        damage.append(f"ends after {len(frames)} of {counts} frames: it was cut off")
     if analogs:
         remarks.append(f"has analog samples, {analogs} numbers a frame: they are not read")
     values = np.stack(frames)
@@ -91,7 +91,7 @@ def read_markers(path: Path, part: TimeSpan, world: str) -> Recording:
     channel = log_channel(
         where, "markers", MARKERS, times, turned, clock="motion capture", labels=names
     )
-    return Recording(path, "C3D", (channel,), remarks=tuple(remarks))
+    return Recording(path, "C3D", (channel,), remarks=tuple(remarks), damage=tuple(damage))
 
 
 _Value = list[str] | list[float]

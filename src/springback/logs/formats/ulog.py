@@ -56,6 +56,7 @@ class UlogFile:
     about: dict[str, str] = field(default_factory=dict)
     dropouts: list[tuple[float, float]] = field(default_factory=list)
     remarks: list[str] = field(default_factory=list)
+    damage: list[str] = field(default_factory=list)
 
 
 class _Subscription(NamedTuple):
@@ -80,7 +81,9 @@ def read_ulog(path: Path, wanted: Collection[str], part: TimeSpan, budget: Budge
     found = UlogFile()
     with path.open("rb") as file:
         head = file.read(16)
-        if len(head) < 16 or head[:7] != MAGIC:
+        if head[:7] == MAGIC and len(head) < 16:
+            raise InputError(f"{path}: is cut off after {len(head)} of the 16 bytes of its head")
+        if head[:7] != MAGIC:
             raise InputError(f"{path}: is no ULog (its first bytes are {shown_value(head[:8])})")
         found.start = struct.unpack_from("<Q", head, 8)[0] / 1e6
         _UlogParser(str(path), found, wanted, part, budget).read(file)
@@ -103,7 +106,8 @@ class _UlogParser:
 
     def read(self, file: BinaryIO) -> None:
         """Read all messages."""
-        for kind, body in _messages(file, self.found.remarks):
+        cuts = list[int]()
+        for kind, body in _messages(file, self.found.damage, cuts):
             if kind == 0x44:  # D
                 self._data(body)
             elif kind == 0x46:  # F
@@ -116,6 +120,11 @@ class _UlogParser:
                 self.found.dropouts.append((self.last, struct.unpack_from("<H", body)[0] / 1e3))
             elif kind == 0x42:  # B
                 self._flags(body)
+        for at in cuts:
+            self.found.damage.append(
+                f"the log ends within a message, at byte {at}, {self.last:.3f} s by its clock: it "
+                "was cut off"
+            )
         for one in self.all:
             if one.data:
                 rows = np.frombuffer(bytes(one.data), dtype=one.kind)
@@ -207,8 +216,14 @@ class _UlogParser:
             self.found.about[name] = value.decode("utf-8", "replace")
 
 
-def _messages(file: BinaryIO, remarks: list[str]) -> Iterator[tuple[int, bytes]]:
-    """Types and bodies of all messages; after damage, on from the next sync message."""
+def _messages(file: BinaryIO, damage: list[str], cuts: list[int]) -> Iterator[tuple[int, bytes]]:
+    """Types and bodies of all messages; after damage, on from the next sync message.
+
+    Args:
+        file: After its head.
+        damage: What is damaged is added, a sentence each.
+        cuts: The byte of the message within which the file ends is added.
+    """
     data, at, damaged = b"", 0, 0
     while True:
         if len(data) - at < 3 + LONGEST:
@@ -216,25 +231,25 @@ def _messages(file: BinaryIO, remarks: list[str]) -> Iterator[tuple[int, bytes]]
             data, at = data[at:] + more, 0
         if len(data) - at < 3:
             if len(data) > at:
-                remarks.append("the log ends within a message: it was cut off")
+                cuts.append(file.tell() - len(data) + at)
             break
         size, kind = data[at] | data[at + 1] << 8, data[at + 2]
         if kind not in KNOWN:
-            damaged += 1
+            damaged, place = damaged + 1, file.tell() - len(data) + at
             found = data.find(SYNC, at)
             while found < 0:
                 more = file.read(BLOCK)
                 if not more:
-                    remarks.append("the log is damaged, and what follows is lost")
+                    damage.append(f"the log is damaged at byte {place}, and what follows is lost")
                     return
                 data, at = data[-len(SYNC) :] + more, 0
                 found = data.find(SYNC)
             at = found + len(SYNC)
             continue
         if len(data) - at < 3 + size:
-            remarks.append("the log ends within a message: it was cut off")
+            cuts.append(file.tell() - len(data) + at)
             break
         yield kind, data[at + 3 : at + 3 + size]
         at += 3 + size
     if damaged:
-        remarks.append(f"the log is damaged in {damaged} places, which were skipped")
+        damage.append(f"the log is damaged in {damaged} places, which were skipped")

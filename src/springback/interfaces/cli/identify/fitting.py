@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Sequence
+from contextlib import nullcontext
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -21,6 +22,8 @@ if TYPE_CHECKING:
     from springback.identification.report.assumptions import Assumption
     from springback.identification.solving.fitting import ImpactFit
 
+#: Files of a check.
+CHECK_FILES = ("check.json", "check.csv")
 #: Cover of a 95 % interval below which it is too narrow.
 LEAST = 0.9
 
@@ -122,8 +125,8 @@ def fit_text(
 @click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
 @click.option("--sets", type=click.IntRange(10, 10_000), default=200, show_default=True,
               help="Synthetic sets.")  # fmt: skip
-@terminal_options("as_json", "quiet")
-def check(plan: Path, overrides: tuple[str, ...], sets: int, terminal: Terminal) -> None:
+@output_options("Folder for check.json and check.csv.", "force", "as_json", "quiet", required=False)
+def check(plan: Path, overrides: tuple[str, ...], sets: int, output: Output) -> None:
     """Do the intervals of a PLAN cover?  Synthetic flights through its scenario's sensors, fitted.
 
     The scenario's numbers are the truth, and the plan's priors are displaced as often as they say.
@@ -131,19 +134,26 @@ def check(plan: Path, overrides: tuple[str, ...], sets: int, terminal: Terminal)
 
     \b
     springback identify check fit.toml
-    springback identify check fit.toml --sets 1000 --json
+    springback identify check fit.toml --sets 1000 --out checked
     """
     from springback.identification.design.coverage import check_coverage
     from springback.identification.settings import naming_places, read_fit_plan
+    from springback.interfaces.reports.study_files import write_study
 
     ready = read_fit_plan(plan, overrides)
-    progress_bar = terminal.progress_bar("flying and fitting synthetic sets")
-    with naming_places(plan), progress_bar as progress:
-        found = check_coverage(ready, plan.parent, sets=sets, progress=progress)
-    data = found._asdict() | {
-        "fields": [one._asdict() | {"share": one.share} for one in found.fields]
-    }
-    terminal.print(data, coverage_text(found))
+    progress_bar = output.progress_bar("flying and fitting synthetic sets")
+    written = list[Path]()
+    is_kept = output.out is not None
+    with output.folder(CHECK_FILES) if is_kept else nullcontext() as folder:
+        with naming_places(plan), progress_bar as progress:
+            found = check_coverage(ready, plan.parent, sets=sets, progress=progress)
+        rows = [one._asdict() | {"share": one.share} for one in found.fields]
+        data = found._asdict() | {"fields": rows}
+        if folder is not None:
+            written = write_study(folder, "check", data, {"check": rows}, {})
+    output.print(data, coverage_text(found))
+    if is_kept:
+        output.note_written(written)
     if any(one.high < LEAST for one in found.fields):
         sys.exit(1)
 

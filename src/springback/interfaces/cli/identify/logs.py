@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from springback.errors import InputError
-from springback.interfaces.cli.common import PATH, Terminal, terminal_options
+from springback.interfaces.cli.common import PATH, Terminal, say, terminal_options
 
 if TYPE_CHECKING:
     from springback.logs.overview import Overview
@@ -51,6 +51,12 @@ track_option = click.option(
     "--track", metavar="NAME",
     help="The vehicle, of several bodies of a motion capture; by default the one that turns as the "
     "gyroscope says.",
+)  # fmt: skip
+
+
+no_check_option = click.option(
+    "--no-check", is_flag=True,
+    help="Go on, with a warning, where the data contradict their axes or order of quaternions.",
 )  # fmt: skip
 
 
@@ -95,12 +101,13 @@ def inspect(
     springback identify inspect table.toml --from 12 --until 20
     """
     from springback.logs.axes_options import axes_options
-    from springback.logs.overview import as_data, overview
+    from springback.logs.overview import as_data, damages, overview
+    from springback.logs.time_units import refuse_time_units
     from springback.logs.vehicle_track import chosen_track
 
-    chosen = chosen_track(
-        recordings_of(logs, first=first, last=last, world=world, body=body), track
-    )
+    read = recordings_of(logs, first=first, last=last, world=world, body=body)
+    refuse_time_units(read)
+    chosen = chosen_track(read, track)
     recordings = chosen.recordings
     with terminal.spinner("comparing the channels"):
         found = overview(recordings)
@@ -111,33 +118,43 @@ def inspect(
     if options:
         text += f"\n\nall findings pass with {options}"
     terminal.print(as_data(found) | {"axes_options": options or None}, text)
+    for sentence in damages(recordings):
+        say(f"warning: {sentence}")
 
 
 @identify.command()
 @click.argument("logs", nargs=-1, required=True, metavar="LOG...", type=PATH)
 @log_options
 @track_option
+@no_check_option
 @terminal_options("as_json", "quiet")
 def segment(
     logs: tuple[Path, ...], first: float | None, last: float | None, world: str | None,
-    body: str | None, track: str | None, terminal: Terminal,
+    body: str | None, track: str | None, no_check: bool, terminal: Terminal,
 ) -> None:  # fmt: skip
     """Find the impacts in logs: when, how strong, which way; or why one cannot be used.
 
-    The exit code is 2 if there is none, with the reason.
+    The exit code is 2 if there is none, with the reason, or if the data contradict their axes.
 
     \b
     springback identify segment flight.ulg
     springback identify segment flight.ulg take.csv --json
     """
+    from springback.logs.axes_options import refuse_wrong_axes
     from springback.logs.clock_jumps import refuse_clock_jumps
-    from springback.logs.overview import as_data, overview
+    from springback.logs.frame_check import refuse_units
+    from springback.logs.overview import as_data, damages, overview
+    from springback.logs.time_units import refuse_time_units
     from springback.logs.vehicle_track import with_vehicle
 
-    recordings = with_vehicle(
-        recordings_of(logs, first=first, last=last, world=world, body=body), track
-    )
+    read = recordings_of(logs, first=first, last=last, world=world, body=body)
+    refuse_time_units(read)
+    recordings = with_vehicle(read, track)
     refuse_clock_jumps(recordings)
+    for one in recordings:
+        refuse_units(one)
+    with terminal.spinner("comparing the channels"):
+        warnings = refuse_wrong_axes(recordings, world, body, goes_on=no_check)
     with terminal.spinner("looking for impacts"):
         found = overview(recordings)
     if not found.impacts:
@@ -148,6 +165,8 @@ def segment(
         {"verdict": data["verdict"], "impacts": data["impacts"]},
         "\n".join([found.verdict, *(impact_text(one) for one in found.impacts)]),
     )
+    for sentence in (*damages(recordings), *warnings):
+        say(f"warning: {sentence}")
 
 
 @identify.command()

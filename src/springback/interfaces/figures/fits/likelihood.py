@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from itertools import cycle
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -31,6 +31,27 @@ BESIDE, TALL = 2, 1.75
 MOST_NAMED = 6
 #: Blue for -1, white for 0, red for +1: those that a colour-blind reader distinguishes.
 SIGNED = LinearSegmentedColormap.from_list("signed", ["#2166AC", "#F7F7F7", "#B2182B"])
+#: Width of a letter of a name, and of what is beside them [in] (chosen).
+LETTER, BESIDE_NAMES = 0.066, 0.15
+#: Width of a figure of many fields [in], which spans two columns in print (chosen).
+WIDE = 5.0
+
+
+class _Written(NamedTuple):
+    """How correlations are written in cells of at least some width."""
+
+    room: float  # [in]
+    width: float  # of the figure [in]
+    digits: int
+    minus: str
+    size: float  # of type [pt]
+
+
+#: From wide cells to narrow ones; in narrower ones colours tell (chosen).
+_NUMBERS = (
+    _Written(0.32, WIDTH, 2, "−", 8.6), _Written(0.22, WIDE, 2, "-", 7.4),
+    _Written(0.15, WIDE, 1, "-", 7.4), _Written(0.0, WIDE, 0, "", 7.4),
+)  # fmt: skip
 #: Magnitude from which letters are white.
 _DARK = 0.6
 
@@ -101,9 +122,13 @@ def correlations_figure(names: Sequence[str], matrix: Array) -> Figure:
         matrix: Correlations, shape (names, names).
     """
     count = len(names)
-    figure = StyledFigure(figsize=(WIDTH, 0.5 + 0.3 * count), layout="constrained")
-    ax = figure.subplots()
     short = [f"{name}  {k}" for k, name in enumerate(short_names(names), start=1)]
+    beside = BESIDE_NAMES + LETTER * max(map(len, short))
+    written = next(
+        one for one in _NUMBERS if one.width - beside >= one.room * (count - 1) or not one.digits
+    )
+    figure = StyledFigure(figsize=(written.width, 0.5 + 0.3 * count), layout="constrained")
+    ax = figure.subplots()
     lower = np.where(np.tri(count, k=-1, dtype=bool), matrix, np.nan)[1:, :-1]
     ax.imshow(lower, cmap=SIGNED, vmin=-1.0, vmax=1.0, aspect="auto")
     chart = Chart(ax, "Column", "Row")
@@ -111,7 +136,7 @@ def correlations_figure(names: Sequence[str], matrix: Array) -> Figure:
         if np.isfinite(rho):
             chart.record("", {"Row": names[i + 1], "Column": names[j], "correlation [-]": rho})
             ax.text(
-                j, i, _without_zero(rho), ha="center", va="center", size=8.5,
+                j, i, _number(rho, written), ha="center", va="center", size=written.size,
                 color="white" if abs(rho) > _DARK else INK,
             )  # fmt: skip
     ax.set_yticks(range(count - 1), short[1:])
@@ -125,9 +150,12 @@ def correlations_figure(names: Sequence[str], matrix: Array) -> Figure:
     return figure
 
 
-def _without_zero(rho: float) -> str:
-    """Correlation without the zero before its point, which leaves room."""
-    return f"{rho + 0.0:.2f}".replace("-", "−").replace("0.", ".")
+def _number(rho: float, written: _Written) -> str:
+    """Correlation without the zero before its point, which leaves room; nothing without digits."""
+    if not written.digits:
+        return ""
+    text = f"{abs(rho):.{written.digits}f}".replace("0.", ".")
+    return f"{written.minus}{text}" if round(rho, written.digits) < 0.0 else text
 
 
 @in_style
