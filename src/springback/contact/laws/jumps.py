@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from springback.contact.cage import BodyMotion, ContactFace, FaceMotion
 from springback.contact.laws.hysteresis import is_same_contact
-from springback.kernels.compiler import kernel
+from springback.kernels.compiler import called_kernel, kernel
 from springback.kernels.trees import field_of, fold, maximum, replace, tree_map
 from springback.kernels.vectors import Vec, norm, smaller
 from springback.vehicle.state import ArmPose, PressedPoint, PressedPoints
@@ -129,7 +129,7 @@ def _followed(before: _Before, present: tuple[_Now, ...]) -> PressedPoint:
     return point
 
 
-@kernel
+@called_kernel
 def with_jumps(
     pressed: PressedPoints, faces: tuple[ContactFace, ...], arm: ArmPose, body: BodyMotion
 ) -> PressedPoints:
