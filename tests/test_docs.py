@@ -366,9 +366,10 @@ def test_built_in_shapes_are_all_on_their_page_with_their_fields_and_defaults() 
         named = set(re.findall(r"`(\w+)`", row.split("|")[1]))
         named |= {name for word, names in groups.items() if word in row for name in names}
         if kind in of_files:  # words in quotes there are file types and what a file holds, too
-            assert set(found) - {"type", "surface", "motion", "content"} <= named, kind
+            assert set(found) - {"type", "surface", "motion", "name", "content"} <= named, kind
             continue
-        assert named - {"surface"} == set(found) - {"type", "surface", "motion", "content"}, kind
+        told_once = {"type", "surface", "motion", "name", "content"}
+        assert named - {"surface", "name"} == set(found) - told_once, kind
         for name, field in found.items():
             told = re.search(rf"`{name}` \(([^)]*)\)", row)
             if told is None:

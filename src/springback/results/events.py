@@ -208,7 +208,7 @@ def _settling(flight: FlightResult) -> Iterator[Event]:
     """Instants at which the arms have settled and are locked again, after an impact."""
     rates = ("dl", "dbend")
     moves = [values != 0.0 for name, values in flight.columns.items() if name.startswith(rates)]
-    moving = np.logical_or.reduce(moves)
+    moving = np.logical_or.reduce(moves) if moves else np.zeros(len(flight.t), dtype=bool)
     t = flight.t
     for k in np.flatnonzero(moving[:-1] & ~moving[1:]).tolist():
         yield Event(float(t[k + 1]), "settled", "settled", "the arms have settled and are locked")

@@ -58,6 +58,8 @@ class Flight(FlightResult):
     if TYPE_CHECKING:
         second: Flight | None
         """Flight of the second vehicle, if the scenario has one: at the same instants."""
+        first: Flight | None
+        """Of the flight of a second vehicle, that of the first."""
 
     @functools.cached_property
     def events(self) -> tuple[Event, ...]:
@@ -81,8 +83,9 @@ class Flight(FlightResult):
     @property
     def broken_parts(self) -> tuple[str, ...]:
         """What was loaded beyond its limit, in order; empty without a trajectory."""
-        known = self.events if self.columns else ()
-        return tuple(one.text for one in known if one.kind == "broken")
+        if not self.columns or self.measures.get("broken_time") is None:
+            return ()
+        return tuple(one.text for one in self.events if one.kind == "broken")
 
     def resample(self, step: float | None = None, *, times: Any = None) -> dict[str, Array]:
         """Columns of trajectory and telemetry at evenly spaced or any other instants.

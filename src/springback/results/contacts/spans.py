@@ -44,7 +44,8 @@ def parts_of(columns: Mapping[str, Array]) -> list[str]:
 def contact_mask(columns: Mapping[str, Array]) -> np.ndarray[Any, np.dtype[np.bool_]]:
     """True for instants with a contact."""
     felt = [columns[f"fn{k}"] + columns[f"ff{k}"] > NO_FORCE for k in parts_of(columns)]
-    return np.asarray(np.logical_or.reduce(felt), dtype=np.bool_)
+    none = np.zeros(len(columns["t"]), dtype=np.bool_)
+    return np.asarray(np.logical_or.reduce([none, *felt]), dtype=np.bool_)
 
 
 def intervals(t: Array, felt: Any, apart: float = 0.0) -> list[tuple[int, int]]:
