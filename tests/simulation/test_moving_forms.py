@@ -15,7 +15,7 @@ from springback.scenario.scenario import scenario_from
 SURFACE = {"law": "hunt-crossley", "stiffness": 4e5, "dissipation": 0.3, "friction": 0.5}
 OTHER = {**SURFACE, "stiffness": 1e5, "friction": 0.2}
 FORMS: dict[str, dict[str, Any]] = {
-    "mesh": {"type": "mesh", "file": box_file(0.2, 0.3, 0.4), "position": [0.43, 0.0, 0.02], "yaw": 0.3},
+    "mesh": {"type": "mesh", "file": box_file(0.2, 0.3, 0.4), "position": [0.43, 0.05, 0.05], "yaw": 0.3},
     "cells": {"type": "occupancy", "file": cells_file(), "position": [0.32, -0.3, -0.3]},
     "heightmap": {"type": "heightmap", "file": hills_file(), "spacing": 0.1,
                   "position": [0.42, 0.0, 0.0], "pitch": "-90 deg"},
