@@ -28,6 +28,8 @@ def rows(design: Design, first: int, last: int) -> dict[str, Any]:
         for k, ok in zip(range(first, last), won, strict=True)
     ]
     columns["problem"] = ["too weak" if w == "refused" else "" for w in columns["outcome"]]
+    hit = ["" if w == "refused" else "world.obstacles[0], a wall" for w in columns["outcome"]]
+    columns["first_obstacle"] = hit
     for j, name in enumerate(MEASURES | RECOVERY_MEASURES):
         values = np.array(
             [d[j % 32] + 1e-9 * k for d, k in zip(drawn, range(first, last), strict=True)]

@@ -8,7 +8,7 @@ flight flown alone.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
 from functools import cache, partial
@@ -20,9 +20,11 @@ from springback.batch.templates import BuiltGroup, ScenarioGroup, built_groups, 
 from springback.errors import InputError
 from springback.kernels.compiler import no_collection
 from springback.kernels.layout import Buffer, row_of, rows, structure
-from springback.kernels.routines import tables_held
+from springback.kernels.routines import routines_compiled, tables_held
+from springback.kernels.trees import leaves
 from springback.progress import Progress, silent, stage
 from springback.recovery.evaluator import EvaluatorMemory
+from springback.results.contacts.places import ObstacleNames, names_in
 from springback.results.flight import check_user_code, fly_built, pair_flight
 from springback.results.recovery_measures import (
     RECOVERY_MEASURES,
@@ -39,7 +41,7 @@ from springback.simulation.flight import LANES, fly_buffers
 from springback.simulation.guided import GuidedFlight
 from springback.simulation.guided_batch import GUIDED_LANES, fly_groups
 from springback.simulation.loading import LoadedFlights, Loader
-from springback.simulation.measuring.columns import Array, columns_of, energies
+from springback.simulation.measuring.columns import Array, columns_of, energies, tree_from
 from springback.simulation.measuring.measures import MEASURES, measure_columns, outcomes_of
 from springback.simulation.noise import FlightNoise
 from springback.simulation.onboard import Avionics
@@ -67,6 +69,8 @@ class Rows(NamedTuple):
     """Measures of each flight, all of `MEASURES` and `RECOVERY_MEASURES`; NaN if undefined."""
     problems: list[str]
     """Reason for the refusal of each flight; empty if it was flown."""
+    first_obstacles: list[str]
+    """What each flight touched first; empty if nothing."""
     seconds: list[str]
     """Outcomes of the second vehicles; empty for a flight of one.  Where any has two, `measures`
     has those of the second, after ``second_``."""
@@ -74,7 +78,8 @@ class Rows(NamedTuple):
     @property
     def columns(self) -> dict[str, Any]:
         """All of it by column, that of the second vehicles last, if there are any."""
-        given = {"outcome": self.outcomes, "problem": self.problems, **self.measures}
+        words = {"outcome": self.outcomes, "problem": self.problems}
+        given = {**words, "first_obstacle": self.first_obstacles, **self.measures}
         return given | ({SECOND + "outcome": self.seconds} if SECOND_NAMES[0] in given else {})
 
 
@@ -98,6 +103,7 @@ class _Kind(NamedTuple):
     first: ReadyFlight
     numbers: list[int]
     seeds: list[int]
+    names: list[ObstacleNames]
 
 
 def fly_scenarios(
@@ -123,7 +129,7 @@ def fly_scenarios(
     count = len(tables)
     names = (*NAMES, *SECOND_NAMES) if any(map(has_second, tables)) else NAMES
     measures = {name: np.full(count, math.nan) for name in names}
-    out = Rows([REFUSED] * count, measures, [""] * count, [""] * count)
+    out = Rows([REFUSED] * count, measures, [""] * count, [""] * count, [""] * count)
     most = BLOCK if device == "cpu" else GPU_BLOCK
     fly = _on_processor(threads) if device == "cpu" else _on_gpu()
     for first in range(0, count, most):
@@ -170,7 +176,7 @@ def _fly_block(
                 with suppress(InputError):
                     ready = one(number)
                     if ready.plain is not None:
-                        _fly_alone(ready, number, out)
+                        _fly_alone(ready, tables[number], number, out)
                     else:
                         _collect(BuiltGroup([number], ready), tables, kinds)
     done, all_ready = 0, sum(len(kind.numbers) for kind in kinds.values()) + len(pairs)
@@ -199,6 +205,7 @@ def _fly_pair(tables: Mapping[str, Any], number: int, out: Rows) -> None:
         return
     assert flight.second is not None
     out.outcomes[number], out.seconds[number] = flight.outcome.word, flight.second.outcome.word
+    out.first_obstacles[number] = flight.first_obstacle
     measures = {SECOND + name: value for name, value in flight.second.measures.items()}
     for name, value in (flight.measures | measures).items():
         out.measures[name][number] = math.nan if value is None else value
@@ -234,14 +241,16 @@ def _collect(
     key = structure(one.model), structure(avionics), pace_of(one)
     if key not in kinds:
         width = LANES if avionics is None else GUIDED_LANES
-        kinds[key] = _Kind(Loader(one.model, one.start, avionics, width), one, [], [])
+        kinds[key] = _Kind(Loader(one.model, one.start, avionics, width), one, [], [], [])
     kind = kinds[key]
     kind.loader.add(one.model, one.start, avionics, built.flown, built.onboard)
     kind.numbers.extend(built.flights)
     kind.seeds.extend(_seed(tables[k]) for k in built.flights)
+    names = names_in(scenario_from(tables[built.flights[0]], False, advises=False), one.model)
+    kind.names.extend([names] * len(built.flights))
 
 
-def _fly_alone(ready: ReadyFlight, number: int, out: Rows) -> None:
+def _fly_alone(ready: ReadyFlight, tables: Mapping[str, Any], number: int, out: Rows) -> None:
     """Fly one flight with a plain pilot, and store its results, or the reason why it failed."""
     try:
         guided = fly_built(ready)
@@ -250,6 +259,10 @@ def _fly_alone(ready: ReadyFlight, number: int, out: Rows) -> None:
         return
     outcome, measures = guided_result(guided)
     out.outcomes[number] = outcome.word
+    names = names_in(scenario_from(tables, False, advises=False), ready.model)
+    with routines_compiled():
+        first = names.of_first(ready.model.world.obstacles, guided.flown.record.first_impact)
+    out.first_obstacles[number] = first
     for name, value in measures.items():
         out.measures[name][number] = math.nan if value is None else value
 
@@ -288,8 +301,9 @@ def _fly_kind(kind: _Kind, fly: _Fly, progress: Progress, out: Rows) -> None:
             fly.guided(flight, buffers, noise, progress=progress)
     words, columns = _read(laid, before, width, count)
     numbers = np.array(kind.numbers)
-    for number, word in zip(kind.numbers, words, strict=True):
-        out.outcomes[number] = word
+    touched = _first_obstacles(laid, kind.names, width)
+    for number, word, first in zip(kind.numbers, words, touched, strict=True):
+        out.outcomes[number], out.first_obstacles[number] = word, first
     for name, column in columns.items():
         out.measures[name][numbers] = column
 
@@ -312,6 +326,23 @@ def _read(
     memory = _onboard_columns(laid.avionics, laid.onboard, width, count, "pilot")
     words = [one.word for one in recovery_outcomes(record, seen, memory)]
     return words, columns | recovery_columns(record, seen, memory)
+
+
+def _first_obstacles(laid: LoadedFlights, names: list[ObstacleNames], width: int) -> Iterator[str]:
+    """What each flight of one kind touched first."""
+    shape, buffers, count = laid.shape, laid.buffers, len(names)
+    record = columns_of(shape.record, buffers, -rows(shape.record), width, count)
+    alone = [one.only for one in names]
+    if all(alone):
+        touched = record.first_impact.touch_time >= 0.0
+        yield from (name if there else "" for name, there in zip(alone, touched, strict=True))
+        return
+    obstacles = columns_of(shape.model, buffers, 0, width, count).world.obstacles
+    of_worlds, of_touches = (np.array(leaves(tree)).T for tree in (obstacles, record.first_impact))
+    with routines_compiled():
+        for each, world, touch in zip(names, of_worlds, of_touches, strict=True):
+            first = tree_from(record.first_impact, touch.tolist())
+            yield each.of_first(tree_from(obstacles, world.tolist()), first)
 
 
 def _onboard_columns(avionics: Avionics, buffers: Buffer, width: int, count: int, name: str) -> Any:

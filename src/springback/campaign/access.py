@@ -344,7 +344,8 @@ class Campaign:
             raise InputError(f"{', '.join(changed)}: has changed since the campaign was flown")
         flight = fly(drawn.tables[0], trajectory=trajectory)
         now = {name: values[0] for name, values in drawn.columns.items()}
-        now |= {"outcome": flight.outcome.word, **flight.measures}
+        first = {"outcome": flight.outcome.word, "first_obstacle": flight.first_obstacle}
+        now |= first | flight.measures
         if flight.second is not None:
             measures = {"outcome": flight.second.outcome.word, **flight.second.measures}
             now |= {SECOND + name: value for name, value in measures.items()}

@@ -18,6 +18,7 @@ RESULT = {
     "outcome": ("", "how the flight ended; refused: it could not be flown"),
     "success": ("", "as the plan has it; empty for refused flights"),
     "problem": ("", "why a flight was refused"),
+    "first_obstacle": ("", "what was touched first, such as world.obstacles[0], a pole; or empty"),
 }
 
 

@@ -45,6 +45,8 @@ PLAN, METADATA, QUARANTINE, LOCK, HOLDER = (
     "plan.json", "campaign.json", "aside", ".lock", ".holder.json",
 )  # fmt: skip
 #: Packages whose versions can affect the last digits of a result.
+#: Columns of words of every flight.
+WORDS = ("outcome", "problem", "first_obstacle")
 NUMERICAL = ("numpy", "scipy", "numba")
 #: Files that may be in a folder without a campaign: those of one that died at its start.
 EARLY = {LOCK, HOLDER, PLAN, PARTS}
@@ -165,7 +167,7 @@ def write_rows(path: Path, columns: Columns, design: Design) -> None:
 
 def arrays(columns: Columns, design: Design) -> dict[str, Any]:
     """Columns as arrays of their types."""
-    words = {d.column for d in design.dimensions if d.text} | {"robot", "outcome", "problem"}
+    words = {d.column for d in design.dimensions if d.text} | {"robot", *WORDS}
     words |= {*SECOND_OUTCOME}
     kinds = dict.fromkeys(("flight", "sample", "repeat", "seed"), np.int64)
     found = {}
@@ -182,7 +184,7 @@ def rows_of(design: Design) -> str:
         f"nullif({identifier(name)}, 'NaN'::DOUBLE) AS {identifier(name)}"
         for name in measured_columns(second=design.has_second)
     )
-    words = ", ".join(["outcome", "problem", *(SECOND_OUTCOME if design.has_second else ())])
+    words = ", ".join([*WORDS, *(SECOND_OUTCOME if design.has_second else ())])
     flown = f"SELECT {head}, {words}, {measures} FROM given"
     try:
         condition = one_expression(design.success)
@@ -193,12 +195,12 @@ def rows_of(design: Design) -> str:
     names = (*(SECOND_OUTCOME if design.has_second else ()),
              *measured_columns(second=design.has_second))  # fmt: skip
     rest = ", ".join(map(identifier, names))
-    return f"SELECT {head}, outcome, {success}, problem, {rest} FROM ({flown})"
+    return f"SELECT {head}, outcome, {success}, problem, first_obstacle, {rest} FROM ({flown})"
 
 
 def empty_rows(design: Design) -> dict[str, Any]:
     """Columns of flights, without rows."""
-    outcomes = ("outcome", "problem", *(SECOND_OUTCOME if design.has_second else ()))
+    outcomes = (*WORDS, *(SECOND_OUTCOME if design.has_second else ()))
     names = (*HEAD, *design.units, *outcomes, *measured_columns(second=design.has_second))
     return arrays({name: [] for name in names}, design)
 

@@ -23,6 +23,7 @@ from springback.dynamics.touches import (
     BodyAcceleration,
     Contact,
     PartPush,
+    PartTouch,
     Slip,
     TurningPoint,
     contact_of,
@@ -59,7 +60,7 @@ class HullState(NamedTuple):
 
     contact: Contact
     seen: HullView
-    touched: Vec  # normal into the obstacle that it touches, body; zero without contact
+    touched: PartTouch
     damper: float  # friction as a damper [N s/m]
     farthest: float  # bound on the squared distance of its contact points from the main body [m²]
     slips: tuple[Slip, ...]  # one for each face
@@ -111,7 +112,7 @@ def hull_state(
     turns = one_tuple(tree_map(turning_points_of, (met,), ()))
     shell = shells_of(hull, memory, contact, body)
     return HullState(
-        fold(with_shell, contact, shell, ()), view, touches.inward, touch.grip.alone, farthest,
+        fold(with_shell, contact, shell, ()), view, touches, touch.grip.alone, farthest,
         slips, held, turns, shell, tree_map(spin_of, (shell,), ()),
     )  # fmt: skip
 

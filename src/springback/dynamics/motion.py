@@ -95,6 +95,7 @@ from springback.dynamics.touches import (
     Contact,
     arm_pushes,
     hull_pushes,
+    or_point,
 )
 from springback.dynamics.touches import Engaged as Engaged
 from springback.kernels.compiler import kernel
@@ -134,6 +135,7 @@ class View(NamedTuple):
     mass_centre_velocity: Vec  # world [m/s]
     contact_force: Vec  # sum over cages, world [N]
     touched: Vec  # normals into touched obstacles, summed over cages and hull, world
+    touched_at: Vec  # where one of them is touched, world [m]
     arms: tuple[ArmView, ...]
     hull: tuple[HullView, ...]  # of the main body; empty without one
     on_ground: float  # number of grounds touched
@@ -286,13 +288,15 @@ def rates_while(plant: Plant, state: State, released: float, engaged: Engaged) -
     slips = math.sqrt(maximum(cage_slips + hull_slips))
     slips = fold(rail_slip_rate, slips, rail, (state.velocity, acceleration))
     own = StepRates(friction_rate, contact_rate, slips)
+    touches = field_of(arms, "touched") + field_of(hull, "touched")
     limits = fold(with_body_rates, own, seen_bodies, ())
     view = View(
         acceleration,
         solved.linear,
         mass_centre_velocity,
         push,
-        r @ tree_sum(field_of(arms, "touched") + field_of(hull, "touched")),
+        r @ tree_sum(field_of(touches, "inward")),
+        state.position + r @ fold(or_point, Vec(0.0, 0.0, 0.0), touches, ()),
         views,
         tree_map(view_with_turns, (hull,), (moving,)),
         contact.on_ground,

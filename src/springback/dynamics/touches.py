@@ -5,6 +5,7 @@ Its effect on arms and main body is in `springback.dynamics.motion`.
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple
 
 from springback.contact.cage import LANDED, FaceMotion
@@ -14,13 +15,24 @@ from springback.contact.loads import CageContact, ContactLoad
 from springback.contact.surfaces import Hysteresis, Surface, slip_velocity
 from springback.dynamics.crossing import NO_CROSSING, Crossing, crossing, sooner
 from springback.kernels.compiler import generic, kernel
-from springback.kernels.trees import field_of, fold, maximum, minimum, replace, tree_map, tree_sum
+from springback.kernels.trees import (
+    field_of,
+    fold,
+    maximum,
+    minimum,
+    replace,
+    select,
+    tree_map,
+    tree_sum,
+)
 from springback.kernels.vectors import Mat3, Vec, larger, positive_part, smaller
 from springback.vehicle.state import PressedPoint
 
 #: A cage at a surface of the impulse law rests there while it is slower than this along the normal
 #: [m/s]: it then touches without rebound (chosen: a rebound at this speed is 5 µm high).
 RESTING = 1e-2
+#: Where a part touches another vehicle, whose push on it has no point.
+UNKNOWN = Vec(math.nan, math.nan, math.nan)
 #: Rate of depth below which a contact with a memory has turned [m/s] (chosen: what is left of the
 #: way is less than 1e-12 m).
 TURNED = 1e-6
@@ -267,6 +279,7 @@ class PartTouch(NamedTuple):
     engaged: tuple[float, ...]  # 1 for each face in contact; all, while another vehicle touches it
     gap: float  # to what is nearest [m]
     inward: Vec  # normal into what it touches, or zero; body axes
+    point: Vec  # where it is nearest, from the main body, body axes [m]
 
 
 @kernel
@@ -279,7 +292,9 @@ def touch_of(met: tuple[CageContact, ...], push: tuple[PartPush, ...], r: Mat3) 
         r: Body axes to world axes.
     """
     engaged, gap = tree_map(is_in_contact, (met,), ()), minimum(field_of(met, "gap"))
-    return fold(_also_pushed, PartTouch(engaged, gap, _inward(met, gap, engaged)), push, (r,))
+    point = fold(_nearest_point, Vec(0.0, 0.0, 0.0), met, (gap,))
+    alone = PartTouch(engaged, gap, _inward(met, gap, engaged), point)
+    return fold(_also_pushed, alone, push, (r,))
 
 
 @kernel
@@ -289,7 +304,25 @@ def _also_pushed(touch: PartTouch, push: PartPush, r: Mat3) -> PartTouch:
         tree_map(larger, (touch.engaged,), (there,)),
         smaller(touch.gap, -push.depth) if there > 0.0 else touch.gap,
         touch.inward + push.inward @ r,
+        UNKNOWN if there > 0.0 else touch.point,
     )
+
+
+@kernel
+def _nearest_point(so_far: Vec, met: CageContact, nearest: float) -> Vec:
+    return select(met.gap == nearest, met.pressing_at, so_far)
+
+
+@kernel
+def place_in_body(touch: PartTouch, turn: Mat3) -> PartTouch:
+    """What a part touches, from its own axes to those of the main body."""
+    return replace(touch, inward=turn @ touch.inward, point=turn @ touch.point)
+
+
+@kernel
+def or_point(so_far: Vec, touch: PartTouch) -> Vec:
+    """The point at which a part touches something, if it does, else one that is known so far."""
+    return select(maximum(touch.engaged) > 0.0, touch.point, so_far)
 
 
 class TurningPoint(NamedTuple):

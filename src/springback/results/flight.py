@@ -17,7 +17,7 @@ from springback.errors import InputError
 from springback.recovery.detection import CollisionInputs
 from springback.results.columns import telemetry_columns, trajectory_columns, work_columns
 from springback.results.contacts.distances import gaps
-from springback.results.contacts.places import obstacle_contacts
+from springback.results.contacts.places import first_obstacle, obstacle_contacts
 from springback.results.contacts.thin_contacts import deep_contact
 from springback.results.events import Event, events_of
 from springback.results.hooks import NotebookPage, hook
@@ -351,7 +351,8 @@ def _flight_of(
     most = max(len(flown.start.arm_length), len(flown.model.thrust))
     telemetry, more = telemetry_columns(read, most)
     work = work_columns(flown)
-    return Flight(scenario, outcome, measures, columns, units | more, telemetry, work)
+    first = first_obstacle(scenario, flown)
+    return Flight(scenario, outcome, measures, columns, units | more, telemetry, work, first)
 
 
 def guided_flight(

@@ -23,6 +23,12 @@ class FlightMeasures:
     """first touch [s]"""
     touch_speed: float | None
     """speed of the main body into the obstacle at first touch, relative to it [m/s]"""
+    touch_x: float | None
+    """where it is touched first, world X; unknown on another vehicle [m]"""
+    touch_y: float | None
+    """the same, world Y [m]"""
+    touch_z: float | None
+    """the same, world Z [m]"""
     separation_time: float | None
     """last separation of the first impact [s]"""
     return_time: float | None

@@ -131,6 +131,10 @@ class FlightResult(FlightMeasures):
     """Work done so far [J], by kind, and 1 during contact, each of shape (instants,), for
     `springback.results.energy_history`.  Files do not contain it.
     """
+    first_obstacle: str = ""
+    """What it touched first, such as world.obstacles[0], a pole.  Empty if it touched nothing, and
+    in a flight that was read back: `obstacle_contacts` tells.
+    """
     own: tuple[Own, ...] = ()
     """The user's own obstacles; empty for a flight that was read back."""
     own_surfaces: tuple[Mesh, ...] = ()

@@ -275,8 +275,8 @@ def world_numbers(
         own: The user's own shapes, those that the world names, too.
         hulls: Of the vehicle, which need a scene (`Vehicle.hulls`).
     """
-    entries = (entry for entry in world.obstacles if not isinstance(entry, UserShape))
-    known = [(k, one) for k, entry in enumerate(entries) for one in single_obstacles([entry])]
+    entries = [(k, one) for k, one in enumerate(world.obstacles) if not isinstance(one, UserShape)]
+    known = [(k, one) for k, entry in entries for one in single_obstacles([entry])]
     given, numbers = [one for _, one in known], [k for k, _ in known]
     remember = any(hull.remembers for hull in hulls)
     built = obstacles(given, own, as_scene=bool(hulls), numbers=numbers, hull_memory=remember)

@@ -233,7 +233,8 @@ def cruise_view(
     hull = tree_map(_far_hull, (airframe.hull, of_hull), (room, world.obstacles))
     none, a, centre = Vec(0.0, 0.0, 0.0), known.flight.velocity, known.mass_centre_velocity
     bodies = tree_map(_far_body, (moving_bodies(world.obstacles),), ())
-    return View(a, known.specific_force, centre, none, none, arms, hull, 0.0, 0.0, 0.0, 0.0, bodies)
+    seen = arms, hull, 0.0, 0.0, 0.0, 0.0, bodies
+    return View(a, known.specific_force, centre, none, none, none, *seen)
 
 
 @guard

@@ -130,7 +130,7 @@ def shape_of(model: Model, state: State) -> Shape:
         for flags, kept in zip(apart.hull, of_hull, strict=True)
     )
     seen = arms, hulls, 0.0, 0.0, 0.0, 0.0, (NO_VIEW,) * bodies
-    view = View(zero, zero, zero, zero, zero, *seen)
+    view = View(zero, zero, zero, zero, zero, zero, *seen)
     propellers = propellers_of(model.airframe)
     rotors = len(model.thrust) if model.reaction else 0
     record = blank_record(apart, propellers, rotors)._replace(loads=initial_loads(model.limits))

@@ -86,7 +86,7 @@ def alternatives(
 def _term(text: str, fields: Mapping[str, str | None], judged: bool) -> ColumnCondition:
     """A comparison, an outcome or the verdict."""
     columns: dict[str, str | None] = {name: unit for name, (unit, _) in known_columns().items()}
-    columns |= {**dict.fromkeys(("robot", "outcome", *SECOND_OUTCOME)), **fields}
+    columns |= {**dict.fromkeys(("robot", "outcome", "first_obstacle", *SECOND_OUTCOME)), **fields}
     outcomes = [outcome.word for outcome in Outcome]
     found = _OUTCOME.fullmatch(text)
     if found is not None:

@@ -123,7 +123,7 @@ class ArmState(NamedTuple):
     share: Any  # `ArmShare`, or that of an arm on a joint
     pull: ArmPull
     seen: ArmView
-    touched: Vec  # normal into the obstacle that it touches, body; zero without contact
+    touched: PartTouch  # in axes of the main body
     grip: ArmFrictionRate
     slide: Stiffness  # spring and damper along the slide
     slips: tuple[Slip, ...]  # one for each face
@@ -288,7 +288,7 @@ def _slide_state(
     view = arm_view(arm, length, rate, stop, u, contacts, memory, body.r)
     grip = ArmFrictionRate(touch.grip.on_arm * per_mass, touch.grip.lean * per_mass, 0.0)
     return ArmState(
-        share, ArmPull(h * per_mass, u), view, contacts.seen.inward, grip, slide,
+        share, ArmPull(h * per_mass, u), view, contacts.seen, grip, slide,
         tree_map(slip_of, (met,), ()), bristles_of(memory, met, body.r),
         one_tuple(tree_map(turning_points_of, (met,), ())),
     )  # fmt: skip

@@ -57,6 +57,7 @@ from springback.dynamics.touches import (
     BodyAcceleration,
     PartPush,
     contact_of,
+    place_in_body,
     slip_of,
     turning_points_of,
 )
@@ -217,7 +218,7 @@ def _bent_state(
     view = _with_second(replace(view, unbalance=u), arm, length.second, rate.second, outer_stop)
     pulls = ArmPull(BentCoordinates(drive.first * per_mass, drive.second * per_mass), u)
     return ArmState(
-        share, pulls, view, turn @ contacts.seen.inward, grip, slide,
+        share, pulls, view, place_in_body(contacts.seen, turn), grip, slide,
         tree_map(slip_of, (met,), ()), bristles_of(memory, met, r),
         one_tuple(tree_map(turning_points_of, (met,), ())),
     )  # fmt: skip

@@ -59,6 +59,7 @@ from springback.dynamics.touches import (
     PartPush,
     Reaction,
     contact_of,
+    place_in_body,
     slip_of,
     turning_points_of,
 )
@@ -233,7 +234,7 @@ def _joint_state(
     r = sight.body.r
     view = arm_view(arm, length, rate, stop, u, contacts, memory, r)
     return ArmState(
-        share, ArmPull(h * per_mass, u), view, turn @ contacts.seen.inward, grip, slide,
+        share, ArmPull(h * per_mass, u), view, place_in_body(contacts.seen, turn), grip, slide,
         tree_map(slip_of, (met,), ()), bristles_of(memory, met, r),
         one_tuple(tree_map(turning_points_of, (met,), ())),
     )  # fmt: skip

@@ -38,6 +38,8 @@ from springback.interfaces.replay.shape_meshes import (
 )
 from springback.interfaces.replay.tracks import BodyTrack, relative_to, way_of
 from springback.results.meshes import Mesh, surfaces_of
+from springback.scenario.tables import UserShape
+from springback.scenario.worlds.imported import single_obstacles
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Cells = np.ndarray[Any, np.dtype[np.intp]]
@@ -86,7 +88,7 @@ class DrawnWorld(NamedTuple):
 
 
 def drawables(
-    obstacles: Sequence[BuiltIn],
+    obstacles: Sequence[Any],
     own: Sequence[Own],
     flown: Array,
     near: Array,
@@ -96,15 +98,16 @@ def drawables(
     """All obstacles as drawables.
 
     Args:
-        obstacles: Obstacles of the scenario.
+        obstacles: Entries of the scenario's world.
         own: The user's own shapes, with their surfaces.
         flown: Positions of the vehicle, world [m], shape (instants, 3).
         near: Contact points, world [m], shape (touches, 3), possibly none.
         stored: Meshes of the user's own shapes read from a file, used if ``own`` is empty.
         tracks: Of the obstacles that move, at the instants of ``flown``.
     """
-    all_built, follow = obstacles, {track.obstacle for track in tracks}
-    obstacles = [one for k, one in enumerate(all_built) if k not in follow]
+    entries, follow = obstacles, {track.obstacle for track in tracks}
+    at_rest = single_obstacles([one for k, one in enumerate(entries) if k not in follow])
+    obstacles = [one for one in at_rest if not isinstance(one, UserShape)]
     levels = [entry.height for entry in obstacles if isinstance(entry, Ground)]
     floor = max((z for z in levels if z <= flown[:, 2].min()), default=None)
     planes: list[Wall | Ground | Mat | Slope | SolidShape] = [
@@ -123,7 +126,7 @@ def drawables(
     moving = [
         one._replace(track=k)
         for k, track in enumerate(tracks)
-        for one in _moving(all_built[track.obstacle], track, flown, floor)
+        for one in _moving(entries[track.obstacle], track, flown, floor)
     ]
     ways = [way_of(tracks[one.track], one.vertices, (0, len(flown) // 2, -1))
             for one in moving if one.vertices is not None]  # fmt: skip

@@ -41,8 +41,6 @@ from springback.results.flight import Flight
 from springback.results.pair.contacts import loads_on_first, loads_on_second
 from springback.results.result import NAMED
 from springback.results.saved import load as load
-from springback.scenario.tables import UserShape
-from springback.scenario.worlds.imported import single_obstacles
 from springback.simulation.measuring.record import Model
 from springback.simulation.playback import LoadHistory, load_history
 from springback.vehicle.arms.bent import ON_JOINTS
@@ -211,10 +209,9 @@ def _scene(
     c, count = flight.columns, len(model.airframe.arms)
     touches = loads.point[np.isfinite(loads.point).all(axis=2)]
     place = np.stack([c[axis][places] for axis in "xyz"], axis=1)
-    all_one_by_one = single_obstacles(flight.scenario.world.obstacles)
-    known = [one for one in all_one_by_one if not isinstance(one, UserShape)]
     tracks = body_tracks(model, c, places)
-    things = drawables(known, own, place, touches, flight.own_surfaces, tracks)
+    entries = flight.scenario.world.obstacles
+    things = drawables(entries, own, place, touches, flight.own_surfaces, tracks)
     thrust = _thrust(flight, model, c["t"][places])
     robot = flight.scenario.vehicle.name
     propulsion = flight.scenario.vehicle.propulsion

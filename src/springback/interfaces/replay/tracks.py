@@ -24,7 +24,7 @@ Places = np.ndarray[Any, np.dtype[np.intp]]
 class BodyTrack(NamedTuple):
     """Where a moving obstacle is over time."""
 
-    obstacle: int  # its number among the built-in obstacles of the world, from 0
+    obstacle: int  # its number in the world, from 0
     origin: tuple[float, ...]  # where its origin was placed, world [m]
     rod: tuple[float, ...]  # pivot of one that hangs on a rod, world [m]; empty for others
     position: Array  # of its origin, world [m], shape (instants, 3)

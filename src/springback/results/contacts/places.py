@@ -6,6 +6,7 @@ evaluated in plain Python for the few instants that are asked for, and the obsta
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 from typing import Any, NamedTuple
@@ -15,7 +16,7 @@ import numpy as np
 from springback.contact.cage import moving_bodies
 from springback.contact.moving.bodies import ABSENT, CARRIED, body_pose
 from springback.contact.moving.scene import MovingScene
-from springback.contact.obstacles import Obstacle, signed_distance
+from springback.contact.obstacles import Obstacle, SecondContact, signed_distance
 from springback.contact.parameters import Ground, faces
 from springback.contact.scene.faces import SolidScene
 from springback.contact.scene.nearest import HALF_SPACES, HEADER, nearest_solid
@@ -31,16 +32,18 @@ from springback.results.contacts.spans import ContactSpan, contact_spans, parts_
 from springback.results.contacts.stored import stored_point
 from springback.results.pair.contacts import PairView, pair_view
 from springback.results.result import FlightResult, ObstacleContact
-from springback.scenario.tables import UserShape
+from springback.scenario.scenario import Scenario
+from springback.scenario.tables import UserShape, WorldSettings
 from springback.scenario.user.obstacles import own_names
 from springback.scenario.worlds.imported import (
     Imported,
     obstacle_words,
     part_words,
+    single_obstacles,
     with_article,
 )
-from springback.simulation.flight import model_state
-from springback.simulation.measuring.record import Model
+from springback.simulation.flight import FlightRecord, model_state
+from springback.simulation.measuring.record import FirstImpact, Model
 from springback.simulation.playback import NO_FORCE, FaceLoad, Instant, loads_at, states_at
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -58,8 +61,8 @@ class ContactPlace(NamedTuple):
     is_ground: bool = False  # True for a ground of the scenario
 
 
-class _Names(NamedTuple):
-    """Names of the obstacles of a scenario."""
+class ObstacleNames(NamedTuple):
+    """Names of the obstacles of a scenario, such as "world.obstacles[0], a pole"."""
 
     at_rest: list[str]  # of springback's own, elements of imported worlds one by one
     planes: list[str]  # of each face of these, if all are plane
@@ -68,10 +71,46 @@ class _Names(NamedTuple):
     other: str  # of another vehicle
     grounds: set[str]  # those that are the ground
 
+    @property
+    def only(self) -> str:
+        """Name of what can be touched if there is one thing alone, else empty."""
+        each = [*self.at_rest, *self.moving.values(), *self.own]
+        return each[0] if len(each) == 1 else ""
 
-def _names_of(flight: FlightResult) -> _Names:
-    world, own = flight.scenario.world, flight.own
-    kinds = [type(shape).__name__ for shape, _ in own] or [one.name for one in flight.own_surfaces]
+    def of_first(self, obstacles: Any, first: FirstImpact) -> str:
+        """What a flight touched first; empty if it touched nothing.
+
+        Args:
+            obstacles: Of its model.
+            first: Of its record.
+        """
+        if first.touch_time < 0.0:
+            return ""
+        if math.isnan(first.point.x):
+            return self.other
+        for body, struck in zip(moving_bodies(obstacles), first.struck, strict=True):
+            if struck > 0.0:
+                return self.other if body.kind == CARRIED else self.moving[body.obstacle]
+        near = list(_near_at_rest(obstacles, first.point, self))
+        return min(near).name if near else self.other
+
+
+def _names_of(flight: FlightResult) -> ObstacleNames:
+    own = [type(shape).__name__ for shape, _ in flight.own]
+    kinds = own or [one.name for one in flight.own_surfaces]
+    return obstacle_names(flight.scenario.world, kinds, is_second=flight.is_second)
+
+
+def obstacle_names(
+    world: WorldSettings, kinds: Sequence[str], *, is_second: bool = False
+) -> ObstacleNames:
+    """Names of the obstacles of a world.
+
+    Args:
+        world: Of the scenario.
+        kinds: Classes of the user's own obstacles.
+        is_second: True for those that the second of two vehicles meets.
+    """
     stems = [name.removesuffix(".shape") for name in own_names(world, kinds)]
     given = [one.name for one in world.obstacles if isinstance(one, UserShape)]
     given += [""] * (len(stems) - len(given))
@@ -79,25 +118,47 @@ def _names_of(flight: FlightResult) -> _Names:
         f"{stem}, {name or with_article(kind)}"
         for stem, name, kind in zip(stems, given, kinds, strict=True)
     ]
-    other = "the first vehicle" if flight.is_second else "the second vehicle"
-    found = _Names([], [], {}, of_own, other, set())
-    built_in = [k for k, one in enumerate(world.obstacles) if not isinstance(one, UserShape)]
-    for number, k in enumerate(built_in):
-        entry = world.obstacles[k]
+    other = "the first vehicle" if is_second else "the second vehicle"
+    found = ObstacleNames([], [], {}, of_own, other, set())
+    for k, entry in enumerate(world.obstacles):
+        if isinstance(entry, UserShape):
+            continue
         name = obstacle_words(k, entry)
         if getattr(entry, "motion", None) is not None:
-            found.moving[float(number)] = name
+            found.moving[float(k)] = name
             continue
-        each: list[tuple[str, BuiltIn]] = []
+        each: list[tuple[str, BuiltIn]]
         if isinstance(entry, Imported):
             each = [(part_words(k, entry, one), one.obstacle) for one in entry.parts]
-        elif not isinstance(entry, UserShape):
+        else:
             each = [(name, entry)]
         for name, one in each:
             found.grounds.update([name] if isinstance(one, Ground) else [])
             found.at_rest.append(name)
             found.planes.extend([] if isinstance(one, ShapeSettings) else [name] * len(faces(one)))
     return found
+
+
+def names_in(scenario: Scenario, model: Model) -> ObstacleNames:
+    """Names of the obstacles of a built flight, those of the user's own by their classes."""
+    each = single_obstacles(scenario.world.obstacles)
+    planes = [one for one in each if not isinstance(one, UserShape | ShapeSettings)]
+    there = model.world.obstacles
+    still = there.still if isinstance(there, MovingScene) else there
+    own = (
+        still.own
+        if isinstance(still, SolidScene)
+        else there[sum(len(faces(one)) for one in planes) :]
+    )
+    kinds = [type(one.shape).__name__ for one in own if not isinstance(one.shape, SecondContact)]
+    return obstacle_names(scenario.world, kinds, is_second=bool(model.pushes))
+
+
+def first_obstacle(scenario: Scenario, flown: FlightRecord) -> str:
+    """What a flight touched first; empty if it touched nothing."""
+    names = names_in(scenario, flown.model)
+    with routines_compiled():
+        return names.of_first(flown.model.world.obstacles, flown.record.first_impact)
 
 
 class _Near(NamedTuple):
@@ -122,8 +183,8 @@ def _one_by_one(each: Iterable[Obstacle], point: Vec, names: Sequence[str]) -> I
         yield _Near(signed_distance(one.shape, point), name)
 
 
-def _all_near(there: Any, bodies: Sequence[Any], point: Vec, names: _Names) -> Iterator[_Near]:
-    """Obstacles that may be the nearest to a point of the world."""
+def _near_at_rest(there: Any, point: Vec, names: ObstacleNames) -> Iterator[_Near]:
+    """Obstacles at rest that may be the nearest to a point of the world."""
     if not isinstance(there, SolidScene | MovingScene):
         yield from _one_by_one(there, point, [*names.planes, *names.own])
         return
@@ -131,6 +192,13 @@ def _all_near(there: Any, bodies: Sequence[Any], point: Vec, names: _Names) -> I
     for gap, owner in _in_table(still.table, point):
         yield _Near(gap, names.at_rest[owner])
     yield from _one_by_one(still.own, point, names.own)
+
+
+def _all_near(
+    there: Any, bodies: Sequence[Any], point: Vec, names: ObstacleNames
+) -> Iterator[_Near]:
+    """Obstacles that may be the nearest to a point of the world."""
+    yield from _near_at_rest(there, point, names)
     for body, now in zip(moving_bodies(there), bodies, strict=True):
         if body.kind != ABSENT:
             pose = body_pose(body, now)
@@ -144,7 +212,7 @@ class _Evaluation(NamedTuple):
 
     model: Model
     columns: Mapping[str, Array]
-    names: _Names
+    names: ObstacleNames
     view: PairView | None = None  # of the second of two vehicles: the first, which meets it
     beside: bool = False  # with another vehicle
 

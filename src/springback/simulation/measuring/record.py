@@ -136,6 +136,7 @@ class FirstImpact(NamedTuple):
     """Motion at first touch, last separation and return of the first impact."""
 
     inward: Vec  # normal n into the obstacle at first touch, world
+    point: Vec  # that is touched first, world [m]
     touch_time: float  # [s]
     touch_depth: float  # n · p of the main body at first touch [m]
     touch_speed: float  # n · v of the main body, relative to the centre of what it strikes [m/s]
@@ -164,17 +165,15 @@ class Record(NamedTuple):
 
 def blank_record(engaged: Engaged, propellers: int, rotors: int = 0) -> Record:
     """Record before a flight, by contact flags and numbers of propellers and rotors that stop."""
-    never, hits = -1.0, (-1.0,) * propellers
+    zero, never, hits = Vec(0.0, 0.0, 0.0), -1.0, (-1.0,) * propellers
     none, hull = (0.0,) * len(engaged.arms), (0.0,) * len(engaged.hull)
     peaks = Peaks(0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     bodies = (0.0,) * len(engaged.bodies)
-    first_impact = FirstImpact(
-        Vec(0.0, 0.0, 0.0), never, 0.0, 0.0, 0.0, never, 0.0, 0.0, never, 0.0, 0.0, bodies
-    )
+    first = FirstImpact(zero, zero, never, 0.0, 0.0, 0.0, never, 0.0, 0.0, never, 0.0, 0.0, bodies)
     return Record(
         Stepping(0.0, 0.0, FLYING, FREE_FLIGHT, NOTHING, MAY_LOOK, 0.0, 0.0),
         Contacts(0.0, 0.0, engaged, none, hull, 0.0, 0.0, never, 0.0, never, never, hits),
-        first_impact,
+        first,
         peaks,
         peaks._replace(acceleration_time=never),
         NOTHING_YET,
@@ -384,6 +383,7 @@ def _first_impact_after(state: State, view: View, m: Record, at: Situation) -> F
     goes_on = of_first & ((at.touching > 0.0) | at.ended)
     return FirstImpact(
         inward=inward,
+        point=select(first, view.touched_at, before.point),
         touch_time=select(first, time, before.touch_time),
         touch_depth=touch_depth,
         touch_speed=select(first, closing, before.touch_speed),
