@@ -11,7 +11,7 @@ import pytest
 from builders.cases import nonempty
 from builders.forms import box_file, cells_file, hills_file
 from builders.shape_scenes import SHAPES
-from springback.campaign.common_flights import COMMON, kinds_of
+from springback.campaign.common_flights import COMMON, flights_of, kinds_of
 from springback.campaign.compiler_times import flight_kinds
 from springback.results.flight import as_scenario
 
@@ -163,6 +163,20 @@ def test_what_is_compiled_ahead_serves_every_scene_of_the_presets() -> None:
         for alone in (True, False):
             for flown in (throw(*world), {**pilot, **there}, {**recovers, **there}):
                 [kind] = flight_kinds([flown], alone=alone)
+                assert kind.key in ahead, world
+
+
+def test_flights_of_a_vehicle_are_compiled_ahead_once_for_its_structure() -> None:
+    """Whatever stands in the world; and a second vehicle of the structure needs nothing more."""
+    ground = {"type": "ground", "surface": "wall"}
+    worlds = [[obstacle(name)] for name in ALL] + [[PLANE], [PLANE, ground]]
+    twins = (("arq", "crazyflie"), ("spiri", "navi"), ("caged-sphere", "tensegrity"))
+    for first, second in nonempty((*twins, ("lmf2", "cognifly"), ("cognifly", "cognifly-rigid"))):
+        ahead = {one.kind.key for one in kinds_of(flights_of(first))}
+        assert {one.kind.key for one in kinds_of(flights_of(second))} == ahead
+        if first == "spiri":  # has a hull: planes are solids as well
+            for world in nonempty(worlds):
+                [kind] = flight_kinds([{**throw(*world), "vehicle": second}], alone=True)
                 assert kind.key in ahead, world
 
 

@@ -66,6 +66,19 @@ COMMON: dict[str, dict[str, Any]] = {
 }
 
 
+def flights_of(vehicle: str) -> dict[str, dict[str, Any]]:
+    """Scenarios of the common kinds of a vehicle, among shapes at rest, by what they are.
+
+    Args:
+        vehicle: Name of a preset.
+    """
+    return {
+        f"{flight} of {vehicle} among shapes": {**tables, "vehicle": vehicle,
+                                                "world": {"obstacles": _WORLDS["among shapes"]}}
+        for flight, tables in _FLIGHTS.items()
+    }  # fmt: skip
+
+
 class NamedKind(NamedTuple):
     """A kind of flight, and what it is called."""
 

@@ -121,18 +121,19 @@ def _show_keys(path: str, terminal: Terminal) -> None:
     "--compile",
     "compiles",
     is_flag=True,
-    help="Compile the kernels of SCENARIOS ahead, or of the common kinds of flight.",
+    help="Compile ahead the kernels of scenario files and of flights of vehicles among shapes, or "
+    "of the common kinds of flight.",
 )
-@click.argument("scenarios", nargs=-1, type=PATH)
+@click.argument("flights", nargs=-1, metavar="[FILE|VEHICLE]...")
 @terminal_options("as_json", "quiet")
-def doctor(compiles: bool, scenarios: tuple[Path, ...], terminal: Terminal) -> None:
+def doctor(compiles: bool, flights: tuple[str, ...], terminal: Terminal) -> None:
     """Check this installation: versions, extras, compiler, agreement of the executors."""
     from springback.interfaces.output.diagnosis import diagnosis
 
-    if scenarios and not compiles:
-        raise click.UsageError("SCENARIOS are compiled with --compile")
+    if flights and not compiles:
+        raise click.UsageError("FILE and VEHICLE are compiled with --compile")
     if compiles:
-        _compile(scenarios, terminal)
+        _compile(flights, terminal)
         return
     with terminal.spinner("compiling and checking"):
         found = diagnosis()
@@ -142,14 +143,26 @@ def doctor(compiles: bool, scenarios: tuple[Path, ...], terminal: Terminal) -> N
         sys.exit(1)
 
 
-def _compile(scenarios: tuple[Path, ...], terminal: Terminal) -> None:
-    """Compile the kernels of some scenarios, or of the common kinds of flight."""
-    from springback.campaign.common_flights import COMMON, compile_ahead
+def _compile(flights: tuple[str, ...], terminal: Terminal) -> None:
+    """Compile the kernels of scenario files and of vehicles, or of the common kinds of flight."""
+    from springback.campaign.common_flights import COMMON, compile_ahead, flights_of
     from springback.campaign.compiler_times import TYPICAL
+    from springback.errors import InputError
     from springback.kernels.compiler import cache_folder
+    from springback.problems import nearest_name
     from springback.results.flight import as_scenario
+    from springback.vehicle.library import VEHICLES
 
-    named = {str(file): as_scenario(file).model_dump(exclude_unset=True) for file in scenarios}
+    named: dict[str, Any] = {}
+    for word in flights:
+        if Path(word).exists() or Path(word).suffix:
+            named[word] = as_scenario(Path(word)).model_dump(exclude_unset=True)
+        elif word in VEHICLES:
+            named |= flights_of(word)
+        else:
+            near = nearest_name(word, VEHICLES)
+            hint = f"did you mean {near}?" if near else f"vehicles: {', '.join(VEHICLES)}"
+            raise InputError(f"{word}: is neither a file nor a vehicle of the library; {hint}")
     chosen = named or COMMON
     terminal.note(
         f"compiling {len(chosen)} kinds of flight, each alone and in campaigns, where they are not "
