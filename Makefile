@@ -87,10 +87,11 @@ bench:
 	@tools/environment dev
 	$(BIN)/python -m benchmarks.run
 
-# A wheel with compiled kernels for this platform and version of Python, into dist: some minutes.
+# A wheel with compiled kernels for this platform and version of Python, into dist: some minutes;
+# VEHICLES="navi morphy": with those of flights of these, too, some five minutes each and level.
 wheel:
 	@tools/environment dev
-	$(BIN)/python tools/wheel.py --out dist
+	$(BIN)/python tools/wheel.py --out dist $(addprefix --vehicle ,$(VEHICLES))
 
 lock:
 	uv lock

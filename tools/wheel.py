@@ -4,7 +4,7 @@ For each level of processor that this machine can execute, a process of its own 
 level instead of this processor, by flying.  The wheel is for this platform and version of Python; a
 wheel or an archive of the source that is built otherwise has no kernels.
 
-usage: python tools/wheel.py [--out dist] [--level NAME]... [--scenario FILE]...
+usage: python tools/wheel.py [--out dist] [--level NAME]... [--scenario FILE]... [--vehicle NAME]...
 """
 
 from __future__ import annotations
@@ -45,19 +45,29 @@ LIBRARY = "manylinux_2_28"
 
 def main() -> None:
     """Read the arguments and build."""
+    from springback.vehicle.library import VEHICLES
+
     parser = argparse.ArgumentParser(description="Build a wheel that carries compiled kernels.")
     parser.add_argument("--out", type=Path, default=ROOT / "dist", help="folder of the wheel")
     parser.add_argument("--level", action="append", help="only this level; may be repeated")
     parser.add_argument("--scenario", type=Path, action="append", help="only the kinds of these")
+    parser.add_argument(
+        "--vehicle",
+        action="append",
+        default=[],
+        choices=tuple(VEHICLES),
+        metavar="NAME",
+        help="also those of a vehicle of the library",
+    )
     parser.add_argument("--compile", type=Path, help=argparse.SUPPRESS)  # by the process of a level
     given = parser.parse_args()
     if given.compile is not None:
-        compile_level(given.level[0], given.compile, given.scenario)
+        compile_level(given.level[0], given.compile, given.scenario, given.vehicle)
         return
     levels = chosen_levels(given.level)
     with tempfile.TemporaryDirectory() as folder:
         for level in levels:
-            start_compiling(level, Path(folder), given.scenario or ())
+            start_compiling(level, Path(folder), given.scenario or (), given.vehicle)
         print(build(Path(folder) / "kernels", given.out))
 
 
@@ -82,11 +92,15 @@ def chosen_levels(wanted: Iterable[str] | None) -> list[str]:
     return list(wanted or possible)
 
 
-def start_compiling(level: str, folder: Path, scenarios: Iterable[Path]) -> None:
+def start_compiling(
+    level: str, folder: Path, scenarios: Iterable[Path], vehicles: Iterable[str]
+) -> None:
     """Compile for a level in a process of its own, which takes no settings of the user's."""
     words = [sys.executable, __file__, "--level", level, "--compile", str(folder / "kernels")]
     for scenario in scenarios:
         words += ["--scenario", str(scenario.resolve())]
+    for vehicle in vehicles:
+        words += ["--vehicle", vehicle]
     kept = {key: value for key, value in os.environ.items() if not key.startswith("NUMBA_")}
     settings = {
         # Without features of its own a level would have those of this processor.
@@ -99,15 +113,18 @@ def start_compiling(level: str, folder: Path, scenarios: Iterable[Path]) -> None
     subprocess.run(words, env=kept | settings, cwd=work, check=True)
 
 
-def compile_level(level: str, folder: Path, files: Iterable[Path] | None) -> None:
+def compile_level(
+    level: str, folder: Path, files: Iterable[Path] | None, vehicles: Iterable[str] = ()
+) -> None:
     """Fly each kind of flight, and put the kernels into the folder of the level.
 
     Args:
         level: Name of the level, for which this process compiles.
         folder: Folder for one folder of each level.
         files: Scenarios; by default those of the common kinds, and some examples.
+        vehicles: Of the library, whose flights among shapes are compiled as well.
     """
-    from springback.campaign.common_flights import COMMON, kinds_of
+    from springback.campaign.common_flights import COMMON, flights_of, kinds_of
     from springback.campaign.compiler_times import compile_kind
     from springback.campaign.design.layout import lay_out
     from springback.campaign.design.plan import read_plan
@@ -130,6 +147,8 @@ def compile_level(level: str, folder: Path, files: Iterable[Path] | None) -> Non
         scenarios |= {
             f"{PLAN}, {robot}": one for robot, one in zip(design.robots, first, strict=True)
         }
+    for vehicle in vehicles:
+        scenarios |= flights_of(vehicle)
     kinds = kinds_of(scenarios)
     for name, kind in kinds:
         begun = time.monotonic()
