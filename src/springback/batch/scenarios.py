@@ -24,7 +24,7 @@ from springback.kernels.routines import routines_compiled, tables_held
 from springback.kernels.trees import leaves
 from springback.progress import Progress, silent, stage
 from springback.recovery.evaluator import EvaluatorMemory
-from springback.results.contacts.places import ObstacleNames, names_in
+from springback.results.contacts.places import NamedObstacles, names_in
 from springback.results.flight import check_user_code, fly_built, pair_flight
 from springback.results.recovery_measures import (
     RECOVERY_MEASURES,
@@ -103,7 +103,7 @@ class _Kind(NamedTuple):
     first: ReadyFlight
     numbers: list[int]
     seeds: list[int]
-    names: list[ObstacleNames]
+    names: list[NamedObstacles]
 
 
 def fly_scenarios(
@@ -328,7 +328,7 @@ def _read(
     return words, columns | recovery_columns(record, seen, memory)
 
 
-def _first_obstacles(laid: LoadedFlights, names: list[ObstacleNames], width: int) -> Iterator[str]:
+def _first_obstacles(laid: LoadedFlights, names: list[NamedObstacles], width: int) -> Iterator[str]:
     """What each flight of one kind touched first."""
     shape, buffers, count = laid.shape, laid.buffers, len(names)
     record = columns_of(shape.record, buffers, -rows(shape.record), width, count)

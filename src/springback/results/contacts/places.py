@@ -61,7 +61,7 @@ class ContactPlace(NamedTuple):
     is_ground: bool = False  # True for a ground of the scenario
 
 
-class ObstacleNames(NamedTuple):
+class NamedObstacles(NamedTuple):
     """Names of the obstacles of a scenario, such as "world.obstacles[0], a pole"."""
 
     at_rest: list[str]  # of springback's own, elements of imported worlds one by one
@@ -95,7 +95,7 @@ class ObstacleNames(NamedTuple):
         return min(near).name if near else self.other
 
 
-def _names_of(flight: FlightResult) -> ObstacleNames:
+def _names_of(flight: FlightResult) -> NamedObstacles:
     own = [type(shape).__name__ for shape, _ in flight.own]
     kinds = own or [one.name for one in flight.own_surfaces]
     return obstacle_names(flight.scenario.world, kinds, is_second=flight.is_second)
@@ -103,7 +103,7 @@ def _names_of(flight: FlightResult) -> ObstacleNames:
 
 def obstacle_names(
     world: WorldSettings, kinds: Sequence[str], *, is_second: bool = False
-) -> ObstacleNames:
+) -> NamedObstacles:
     """Names of the obstacles of a world.
 
     Args:
@@ -119,7 +119,7 @@ def obstacle_names(
         for stem, name, kind in zip(stems, given, kinds, strict=True)
     ]
     other = "the first vehicle" if is_second else "the second vehicle"
-    found = ObstacleNames([], [], {}, of_own, other, set())
+    found = NamedObstacles([], [], {}, of_own, other, set())
     for k, entry in enumerate(world.obstacles):
         if isinstance(entry, UserShape):
             continue
@@ -139,7 +139,7 @@ def obstacle_names(
     return found
 
 
-def names_in(scenario: Scenario, model: Model) -> ObstacleNames:
+def names_in(scenario: Scenario, model: Model) -> NamedObstacles:
     """Names of the obstacles of a built flight, those of the user's own by their classes."""
     each = single_obstacles(scenario.world.obstacles)
     planes = [one for one in each if not isinstance(one, UserShape | ShapeSettings)]
@@ -183,7 +183,7 @@ def _one_by_one(each: Iterable[Obstacle], point: Vec, names: Sequence[str]) -> I
         yield _Near(signed_distance(one.shape, point), name)
 
 
-def _near_at_rest(there: Any, point: Vec, names: ObstacleNames) -> Iterator[_Near]:
+def _near_at_rest(there: Any, point: Vec, names: NamedObstacles) -> Iterator[_Near]:
     """Obstacles at rest that may be the nearest to a point of the world."""
     if not isinstance(there, SolidScene | MovingScene):
         yield from _one_by_one(there, point, [*names.planes, *names.own])
@@ -195,7 +195,7 @@ def _near_at_rest(there: Any, point: Vec, names: ObstacleNames) -> Iterator[_Nea
 
 
 def _all_near(
-    there: Any, bodies: Sequence[Any], point: Vec, names: ObstacleNames
+    there: Any, bodies: Sequence[Any], point: Vec, names: NamedObstacles
 ) -> Iterator[_Near]:
     """Obstacles that may be the nearest to a point of the world."""
     yield from _near_at_rest(there, point, names)
@@ -212,7 +212,7 @@ class _Evaluation(NamedTuple):
 
     model: Model
     columns: Mapping[str, Array]
-    names: ObstacleNames
+    names: NamedObstacles
     view: PairView | None = None  # of the second of two vehicles: the first, which meets it
     beside: bool = False  # with another vehicle
 
