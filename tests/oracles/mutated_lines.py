@@ -240,7 +240,7 @@ MUTATED_LINES = (
     Mutation("hull, about the main body", HULL_CONTACT, "Vec(0.0, 0.0, 0.0), hull.centre, velocity", "Vec(0.0, 0.0, 0.0), hull.centre * 0.0, velocity", HULL),
     Mutation("hull, touches a shape twice", CAGE, "simple_face(FAR, inward", "simple_face(gap, inward", HULL),
     Mutation("hull, its force left out", MOTION, "fold(_together, a.contact, field_of(hull, \"contact\"), ())", "a.contact", HULL),
-    Mutation("hull, its energy left out", ENERGY, "tree_sum((a.contact,) + of_hull)", "a.contact", HULL),
+    Mutation("hull, its energy left out", ENERGY, "tree_sum((tree_sum(at_arms),) + at_hull)", "tree_sum(at_arms)", HULL),
     Mutation("hull, its energy, sign", ENERGY, "return tree_sum(tree_map(_contact_energy", "return -tree_sum(tree_map(_contact_energy", HULL),
     Mutation("hull, not in the clearance", CLEARANCE, "cages + tree_map(hull_gap, (airframe.hull,), (around.obstacles,))", "cages", HULL),
     Mutation("hull, friction unbounded", HULL_STATE, "alone = rate + hull.damper", "alone = rate + 0.0 * hull.damper", GRIP),

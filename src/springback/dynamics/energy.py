@@ -66,28 +66,29 @@ class Energy(NamedTuple):
 
 
 @rare_kernel
-def _arm_energy(
-    arm: Any,
-    length: float,
-    rate: float,
-    memory: PartMemory,
-    gravity: float,
-    contact_point: Any,
-    around: BodySight,
-) -> Energy:
-    """Energy of an arm."""
-    pose, obstacles, body = arm_sight(arm, length, rate, around)
+def _arm_energy(arm: Any, length: float, rate: float, gravity: float, around: BodySight) -> Energy:
+    """Energy of an arm without its contacts."""
+    pose, _, body = arm_sight(arm, length, rate, around)
     velocity = pose.sliding + (body.omega ^ pose.lever)
-    faces = arm_faces(arm, obstacles, contact_point, pose, 1.0)
-    stored = tree_map(_contact_energy, (faces,), (memory, pose.lever))
     return Energy(
         kinetic=0.5 * arm.mass * (velocity @ velocity),
         gravity=arm.mass * gravity * (body.position.z + body.vertical @ pose.lever),
         springs=spring_energy(arm, length),
         stops=stop_energy(arm, length),
-        contact=tree_sum(stored),
+        contact=0.0,
         obstacles=0.0,
     )
+
+
+@rare_kernel
+def _energy_at_arm(
+    arm: Any, length: float, rate: float, memory: PartMemory, contact_point: Any, around: BodySight
+) -> float:
+    """Energy that the contacts of an arm will give back [J]."""
+    pose, obstacles, _ = arm_sight(arm, length, rate, around)
+    faces = arm_faces(arm, obstacles, contact_point, pose, 1.0)
+    stored = tree_map(_contact_energy, (faces,), (memory, pose.lever))
+    return tree_sum(stored)
 
 
 @generic
@@ -167,34 +168,36 @@ def _hull_energy(hull: Any, memory: PartMemory, obstacles: Any, body: BodyMotion
 
 
 @rare_kernel
-def energy(airframe: Airframe, world: World, contact_point: Any, state: State) -> Energy:
-    """Mechanical energy of a vehicle [J], eqs. (5) and (7) with contact and end stops added."""
+def energy_without_contact(airframe: Airframe, world: World, state: State) -> Energy:
+    """Mechanical energy of a vehicle [J], eqs. (5) and (7), with end stops: none in contacts."""
     around, omega = body_sight(world.obstacles, state, 0.0), state.angular_velocity
-    obstacles, body = around.obstacles, around.body
     lengths = coordinates_of_arms(airframe.arms[0], state)
     arm_rates = rates_of_arms(airframe.arms[0], state)
-    arms = tree_map(
-        _arm_energy,
-        (
-            airframe.arms,
-            lengths,
-            arm_rates,
-            arm_memory(state.memory, airframe.arms),
-        ),
-        (world.gravity, contact_point, around),
-    )
-    a = tree_sum(arms)
+    moving = (airframe.arms, lengths, arm_rates)
+    a = tree_sum(tree_map(_arm_energy, moving, (world.gravity, around)))
     body_mass = airframe.mass - tree_sum(field_of(airframe.arms, "mass"))
     kinetic = 0.5 * body_mass * (state.velocity @ state.velocity)
     kinetic += 0.5 * (omega @ (airframe.inertia @ omega))
     shells = tree_map(_spin_energy, (hull_memory(state.memory, airframe.hull), airframe.hull), ())
     kinetic = tree_sum((kinetic,) + shells)  # noqa: RUF005
     gravity = body_mass * world.gravity * state.position.z
-    on_hull = hull_memory(state.memory, airframe.hull)
-    of_hull = tree_map(_hull_energy, (airframe.hull, on_hull), (obstacles, body))
-    contact = tree_sum((a.contact,) + of_hull)  # noqa: RUF005
     springs = a.springs + neighbour_energy(airframe.neighbours, airframe.arms, lengths, arm_rates)
-    held = Energy(a.kinetic + kinetic, a.gravity + gravity, springs, a.stops, contact, 0.0)
+    return Energy(a.kinetic + kinetic, a.gravity + gravity, springs, a.stops, 0.0, 0.0)
+
+
+@rare_kernel
+def energy(airframe: Airframe, world: World, contact_point: Any, state: State) -> Energy:
+    """Mechanical energy of a vehicle [J], with that in contacts, and of what moves by itself."""
+    around = body_sight(world.obstacles, state, 0.0)
+    lengths = coordinates_of_arms(airframe.arms[0], state)
+    arm_rates = rates_of_arms(airframe.arms[0], state)
+    on_arms = arm_memory(state.memory, airframe.arms)
+    known = (airframe.arms, lengths, arm_rates, on_arms)
+    at_arms = tree_map(_energy_at_arm, known, (contact_point, around))
+    on_hull = hull_memory(state.memory, airframe.hull)
+    at_hull = tree_map(_hull_energy, (airframe.hull, on_hull), (around.obstacles, around.body))
+    contact = tree_sum((tree_sum(at_arms),) + at_hull)  # noqa: RUF005
+    held = replace(energy_without_contact(airframe, world, state), contact=contact)
     moving = bodies_energy(world.obstacles, state.bodies, world.gravity)
     return fold(_with_body, held, moving, ())
 

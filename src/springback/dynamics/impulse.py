@@ -31,7 +31,7 @@ from springback.contact.laws.memory import hull_memory
 from springback.contact.loads import CageContact, face_contact
 from springback.contact.obstacles import World
 from springback.contact.surfaces import Surface, slip_velocity
-from springback.dynamics.energy import about_mass_centre, energy, mass_moments
+from springback.dynamics.energy import about_mass_centre, energy_without_contact, mass_moments
 from springback.dynamics.limbs.shell_impulse import (
     ShellImpulse,
     jumps_of_spin,
@@ -328,8 +328,8 @@ def apply_impulses(
         memory_with_spins(state.memory, shells),
         state.bends,
     )
-    before = energy(airframe, world, contact_point, state)
-    left = energy(airframe, world, contact_point, after)
+    before = energy_without_contact(airframe, world, state)
+    left = energy_without_contact(airframe, world, after)
     lost = before.kinetic + before.gravity - left.kinetic - left.gravity
     booked = Work(
         work.thrust,

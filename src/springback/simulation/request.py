@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from springback.contact.obstacles import Forces, Impulses
-from springback.dynamics.energy import energy, locked_state
+from springback.dynamics.energy import energy, energy_without_contact, locked_state
 from springback.dynamics.impulse import apply_impulses
 from springback.dynamics.motion import Motion
 from springback.kernels.compiler import generic, kernel, rare_kernel
@@ -18,9 +18,9 @@ from springback.vehicle.state import PartMemory, VehicleMemory
 @rare_kernel
 def settled_motion(model: Model, motion: Motion) -> Motion:
     """Motion with the arms locked where they are; the lost energy is booked as settling."""
-    before = energy(model.airframe, model.world, model.contact_point, motion.state)
+    before = energy_without_contact(model.airframe, model.world, motion.state)
     state = locked_state(model.airframe, motion.state)
-    after = energy(model.airframe, model.world, model.contact_point, state)
+    after = energy_without_contact(model.airframe, model.world, state)
     lost = before.kinetic + before.gravity + before.springs + before.stops
     lost -= after.kinetic + after.gravity + after.springs + after.stops
     return Motion(state, replace(motion.work, settling=motion.work.settling + lost))
