@@ -38,8 +38,12 @@ class StateSamples(NamedTuple):
     values: Array  # shape (flights, instants, columns)
 
     def of(self, *stems: str) -> Array:
-        """Columns by name, shape (flights, instants, names)."""
-        return self.values[:, :, [self.columns.index(stem) for stem in stems]]
+        """Columns by name, shape (flights, instants, names); a view where they are neighbours."""
+        places = [self.columns.index(stem) for stem in stems]
+        first, last = places[0], places[-1] + 1
+        if places == [*range(first, last)]:
+            return self.values[:, :, first:last]
+        return self.values[:, :, places]
 
     def vectors(self, name: str) -> Array:
         """A vector of the state, shape (flights, instants, 3)."""

@@ -18,6 +18,7 @@ from springback.identification.observations.sensor_chain import (
     channel_output,
     fine_grid,
     inertial_means,
+    mean_rates,
     smooth,
 )
 from springback.identification.observations.windows import (
@@ -347,11 +348,14 @@ class ImpactProblem:
         return place
 
     def _inertial(self, one: ChannelWindow, samples: StateSamples, which: Any, u: Array) -> Array:
-        place = self.plan.sensors.place or self.scenario.sensors.imu.offset
-        means = inertial_means(samples, np.array(place), self.scenario.world.gravity)
         is_force = one.quantity == SPECIFIC_FORCE
         word = "accelerometer bias" if is_force else "gyroscope bias"
-        true = means.specific_force if is_force else means.angular_velocity
+        if is_force:
+            place = self.plan.sensors.place or self.scenario.sensors.imu.offset
+            gravity = self.scenario.world.gravity
+            true = inertial_means(samples, np.array(place), gravity).specific_force
+        else:
+            true = mean_rates(samples)
         bias = self._columns(u, *(f"{word} {a}" for a in _AXES))
         felt = self._calibrated(true[which], u) if is_force else true[which]
         corner, corners = CORNER[one.quantity], None
