@@ -109,7 +109,7 @@ def fit_impact(
         problem.impact.name, lambda: problem.flown, progress=progress, tell=tell
     )  # fmt: skip
     searching = told.searching(starts, MOST_ROUNDS)
-    _refuse_unflyable(problem, first[0])
+    _refuse_unflyable(problem, first[0], central=False)
     rough = solve(
         problem, first, farthest=FARTHEST, enough=ROUGH, central=False, secants=1, watch=searching
     )  # fmt: skip
@@ -172,14 +172,16 @@ def _polished(problem: ImpactProblem, point: Array, watch: Watch) -> tuple[Array
     return point, cost, slopes
 
 
-def _refuse_unflyable(problem: ImpactProblem, point: Array) -> Array:
+def _refuse_unflyable(problem: ImpactProblem, point: Array, *, central: bool = True) -> Array:
     """Derivatives at a point, shape (rows, unknowns); of one side at the edge of what can be flown.
 
     Raises:
         InputError: If neither it nor a flight with another number of one unknown can be flown, with
             the reason.
     """
-    _, [slopes] = jacobians(problem, point[None], np.ones(len(point), dtype=bool))
+    _, [slopes] = jacobians(
+        problem, point[None], np.ones(len(point), dtype=bool), central=central
+    )  # fmt: skip
     bad = np.flatnonzero(~np.isfinite(slopes).all(axis=0))
     if len(bad):
         other = point.copy()

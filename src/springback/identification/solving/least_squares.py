@@ -48,19 +48,22 @@ class Solution(NamedTuple):
     converged: Any  # shape (problems,)
 
 
-def jacobians(evaluate: Residuals, points: Array, active: Any) -> tuple[Array, Array]:
+def jacobians(
+    evaluate: Residuals, points: Array, active: Any, *, central: bool = True
+) -> tuple[Array, Array]:
     """Residuals and their derivatives at some points.
 
     Args:
         evaluate: The residuals.
         points: Shape (points, numbers).
         active: Numbers that move, shape (numbers,); derivatives by others are zero.
+        central: False takes differences to one side where that can be evaluated.
 
     Returns:
         Residuals, shape (points, rows), and Jacobians, shape (points, rows, numbers): of the side
         that can be evaluated if the other cannot, NaN if neither can.
     """
-    found = _differences(evaluate, points, active)
+    found = _differences(evaluate, points, active, central=central)
     return found.residuals, found.slopes
 
 
