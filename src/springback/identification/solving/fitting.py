@@ -111,7 +111,8 @@ def fit_impact(
     searching = told.searching(starts, MOST_ROUNDS)
     _refuse_unflyable(problem, first[0], central=False)
     rough = solve(
-        problem, first, farthest=FARTHEST, enough=ROUGH, central=False, secants=1, watch=searching
+        problem, first, farthest=FARTHEST, enough=ROUGH, hasty=True, central=False, secants=1,
+        watch=searching,
     )  # fmt: skip
     if not np.isfinite(rough.costs).any():
         raise InputError(

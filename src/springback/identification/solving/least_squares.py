@@ -114,6 +114,7 @@ def solve(
     enough: float = ENOUGH,
     damping: float = DAMPING,
     together: bool = True,
+    hasty: bool = False,
     central: bool = True,
     secants: int = 0,
     slopes: Array | None = None,
@@ -132,6 +133,7 @@ def solve(
         enough: A problem is solved once its cost falls by less than this in a round.
         damping: First damping.
         together: True if all seek the same optimum: those far above the best are given up.
+        hasty: True gives up those many times above the best earlier, all but the two best.
         central: False takes differences to one side, at half the flights: what is found is then as
             near to an optimum as its cost tells, but not as its gradient does.
         secants: Most rounds in which a problem keeps its derivatives, corrected by what the last
@@ -158,7 +160,7 @@ def solve(
     done = ~np.isfinite(costs)
     for turn in range(rounds):
         if together:
-            done |= _given_up(costs, turn)
+            done |= _given_up(costs, turn, hasty)
         open_ones = np.flatnonzero(~done)
         if not len(open_ones):
             break
@@ -207,11 +209,12 @@ def solve(
     return Solution(points, costs, residuals, slopes, done & np.isfinite(costs))
 
 
-def _given_up(costs: Array, turn: int) -> Any:
+def _given_up(costs: Array, turn: int, hasty: bool) -> Any:
     """Problems that are too far above the best after some rounds, shape (problems,)."""
     if turn >= PATIENT_ROUNDS:
         return costs > costs.min() + HOPELESS
-    found = costs > FAR_ABOVE.get(turn, np.inf) * costs.min()
+    far = FAR_ABOVE.get(turn, np.inf) if hasty else np.inf
+    found = costs > far * costs.min() + HOPELESS
     found[np.argsort(costs)[:SPARED]] = False
     return found
 
