@@ -47,7 +47,7 @@ def test_secants_save_derivatives_on_the_way_to_the_same_optimum(checked: bool) 
         asked[with_secants] += len(points) > 4  # more than the tries of a round
         return residuals(points)
 
-    start = np.array([[2.6, 1.2, 0.4]])
+    start = np.array([[3.2, 1.5, 0.5]])
     _, slopes = jacobians(residuals, start, np.ones(3, dtype=bool))
     with_secants = 0
     plain = solve(counted, start, farthest=6.0)
