@@ -64,22 +64,17 @@ def check_matrix(rows: Any) -> None:
     Args:
         rows: The matrix [kg m²], shape (3, 3).
     """
-    apart = [rows[i][j] for i in range(3) for j in range(3) if i != j]
+    apart = (rows[i][j] for i in range(3) for j in range(3) if i != j)
     if all(type(entry) is float and entry == 0.0 for entry in apart):  # also of traced numbers
         principal = [rows[k][k] for k in range(3)]
     else:
-        principal = _principal_moments(rows)
+        matrix = np.array(rows)
+        if not np.allclose(matrix, matrix.T, rtol=1e-9, atol=0.0):
+            raise problem(f"must be symmetric (got {shown_value(rows)} kg m²)")
+        principal = np.linalg.eigvalsh(matrix).tolist()
     if any(moment <= 0.0 for moment in principal):
         raise problem(f"must have positive principal moments (got {shown_value(rows)} kg m²)")
     check_moments(principal)
-
-
-def _principal_moments(rows: Any) -> list[float]:
-    """Principal moments of a full matrix [kg m²]."""
-    matrix = np.array(rows)
-    if not np.allclose(matrix, matrix.T, rtol=1e-9, atol=0.0):
-        raise problem(f"must be symmetric (got {shown_value(rows)} kg m²)")
-    return [float(moment) for moment in np.linalg.eigvalsh(matrix)]
 
 
 class _Inertia:
@@ -95,8 +90,7 @@ class _Inertia:
 def check_moments(principal: Any) -> None:
     """Reject principal moments of inertia that no mass distribution has.
 
-    Each is a sum of two second moments of mass, so none exceeds the sum of the other two; for a
-    plate they are equal.
+    Each is a sum of two second moments of mass: none exceeds that of the others, a plate's equals it.
 
     Args:
         principal: Moments [kg m²], in any order, shape (3,).
