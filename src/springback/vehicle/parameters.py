@@ -90,7 +90,7 @@ class _Inertia:
 def check_moments(principal: Any) -> None:
     """Reject principal moments of inertia that no mass distribution has.
 
-    Each is a sum of two second moments of mass: none exceeds that of the others, a plate's equals it.
+    Each is a sum of two second moments of mass: none exceeds that of the others; a plate's equals.
 
     Args:
         principal: Moments [kg m²], in any order, shape (3,).
