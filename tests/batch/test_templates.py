@@ -12,6 +12,7 @@ import pytest
 from springback.batch import templates
 from springback.batch.templates import BuiltGroup, ScenarioGroup, Template, built_groups, pace_of
 from springback.errors import InputError
+from springback.kernels import tracing
 from springback.kernels.trees import leaves
 from springback.scenario.avionics import normals_at_start
 from springback.scenario.build import ReadyFlight
@@ -69,6 +70,15 @@ PLANS = {
     ],
     "quaternions": [
         table | {"start": {"quaternion": [math.cos(0.1 * k), 0.0, math.sin(0.1 * k), 0.0]}}
+        for k, table in enumerate(thrown())
+    ],
+    "directions and moments": [
+        table | {"vehicle": {
+            "preset": "arq",
+            "arms": {"directions": [0.785 + 0.001 * k, 2.356, 3.927, 5.498 - 0.001 * k]},
+            "body": {"inertia": [[5e-3 + 1e-4 * (k % 3), 0.0, 0.0], [0.0, 5e-3, 0.0],
+                                 [0.0, 0.0, 8e-3 - 1e-4 * k]]},
+        }}
         for k, table in enumerate(thrown())
     ],
     "noise": holding(sensors=lambda k: {"motion_capture": {"position_noise": 1e-4 * (k + 1)}}),
@@ -155,6 +165,21 @@ def test_many_are_as_alone(plan: str) -> None:
     for row, table in enumerate(tables):
         assert numbers(many, row).tobytes() == numbers_alone(table).tobytes()
         assert pace_of(many.first) == pace_of(flight_from(table))
+
+
+def test_directions_and_moments_are_read_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Which of two moments is the larger was asked, and each row read by itself."""
+    read: list[str] = []
+    by_row = tracing._by_row
+
+    def counted(function: Any, *given: Any) -> Any:
+        read.append(function.__name__)
+        return by_row(function, *given)
+
+    monkeypatch.setattr(tracing, "_by_row", counted)
+    together(PLANS["directions and moments"])
+    assert {"cos", "sin"} <= {*read}
+    assert not {"airframe", "_inertia", "check_moments"} & {*read}
 
 
 def test_flights_that_go_another_way_are_left_out() -> None:

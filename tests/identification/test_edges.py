@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -53,7 +54,7 @@ def test_an_optimum_at_the_edge_of_what_can_be_flown_is_said() -> None:
     found = fit_impact(problem, starts=4, seed=0)
     assert found.point[0] == pytest.approx(1.5, abs=1e-3)
     [said] = found.bounds
-    assert said.startswith("a is at the bound of what a scenario accepts, 1.4")
+    assert re.match(r"a is at the bound of what a scenario accepts, 1\.(4\d*|5) kg", said)
     assert said.endswith("and the data would have it beyond: a: must be at most 1.5")
     assert np.isfinite(found.profiles["b"].low)
 

@@ -38,6 +38,49 @@ def test_all_starts_reach_the_optimum_of_scipy(central: bool) -> None:
     np.testing.assert_allclose(found.costs, 2.0 * best.cost, rtol=1e-7)
 
 
+@pytest.mark.parametrize("checked", [True, False])
+def test_secants_save_derivatives_on_the_way_to_the_same_optimum(checked: bool) -> None:
+    """Derivatives are taken less often."""
+    asked = [0, 0]
+
+    def counted(points: np.ndarray) -> np.ndarray:
+        asked[with_secants] += len(points) > 4  # more than the tries of a round
+        return residuals(points)
+
+    start = np.array([[3.2, 1.5, 0.5]])
+    _, slopes = jacobians(residuals, start, np.ones(3, dtype=bool))
+    with_secants = 0
+    plain = solve(counted, start, farthest=6.0)
+    with_secants = 1
+    found = solve(
+        counted, start, farthest=6.0, secants=8, slopes=None if checked else slopes, checked=checked
+    )
+    assert found.converged.all()
+    np.testing.assert_allclose(found.costs, plain.costs, rtol=1e-5)
+    np.testing.assert_allclose(found.points, plain.points, rtol=2e-3)
+    assert asked[1] < asked[0], asked
+
+
+def test_a_start_far_above_the_best_is_given_up_early_but_never_the_second() -> None:
+    """Costs of numbers that reach their optimum, one slowly, one hardly at all."""
+    asked: list[np.ndarray] = []
+
+    def slow(points: np.ndarray) -> np.ndarray:
+        asked.append(points.copy())
+        x, kind = points.T
+        pace = np.where(kind > 0.5, 1e3, 1.0) * np.exp(0.5 * np.abs(kind) * x) + kind
+        return np.stack([pace, 0.01 * x], axis=1)
+
+    held = np.array([False, True])
+    starts = np.array([[2.0, 0.0], [2.0, 0.2], [2.0, 1.0]])
+    solve(slow, starts, farthest=6.0, held=held, rounds=4, enough=0.0, hasty=True)
+    last = {float(kind) for kind in asked[-1][:, 1]}
+    assert last == {0.0, 0.2}
+    asked.clear()
+    solve(slow, starts[[0, 2]], farthest=6.0, held=held, rounds=4, enough=0.0, hasty=True)
+    assert 1.0 in asked[-1][:, 1]  # one of the two best
+
+
 def test_numbers_that_are_held_stay_and_bounds_are_kept() -> None:
     held = np.array([[False, True, False], [True, False, False]])
     found = solve(residuals, np.ones((2, 3)), farthest=2.0, held=held, together=False)

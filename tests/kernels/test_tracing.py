@@ -162,6 +162,20 @@ def test_what_is_no_float_must_be_as_in_the_first_row() -> None:
         traceable(lambda x: x + "text")(1.0)
 
 
+def test_a_number_of_numbers_is_that_of_each_row() -> None:
+    """Rows in which the function raises, or gives no number, do not hold."""
+
+    def root(x: float, least: float) -> Any:
+        return math.sqrt(x) if x < 4.0 else int(least)
+
+    tape = Tape(np.array([[1.0], [2.25], [-1.0], [9.0], [1.0]]))
+    found = traceable(root)(tape.first[0], 0.5) * 1.0
+    assert tape.holds.tolist() == [True, True, False, False, True]
+    assert found.column[tape.holds].tolist() == [1.0, 1.5, 1.0]
+    assert traceable(lambda x: math.copysign(2.0, x * x))(tape.first[0]) == 2.0
+    assert not isinstance(traceable(lambda x: math.floor(x * 0.0) + 2.0)(tape.first[0]), Traced)
+
+
 def test_rows_that_do_not_hold_are_not_searched() -> None:
     asked: list[float] = []
 

@@ -71,6 +71,9 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
     "inertia not positive": (
         MASS, "inertia = [[1, 2, 0], [2, 1, 0], [0, 0, 1]]", "vehicle.body.inertia", ("positive",),
     ),
+    "moments of a matrix not positive": (
+        MASS, "inertia = [[1, 0, 0], [0, 1, 0], [0, 0, -1]]", "vehicle.body.inertia", ("positive",),
+    ),
     "inertia of no body": (
         MASS, "inertia = [1e-3, 1e-3, 5e-3]", "vehicle.body.inertia", ("0.005 kg m²", "0.002 kg m²"),
     ),

@@ -6,7 +6,6 @@ instant, as at a tick of sensors, so that nothing is interpolated.
 
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import suppress
@@ -38,8 +37,12 @@ class StateSamples(NamedTuple):
     values: Array  # shape (flights, instants, columns)
 
     def of(self, *stems: str) -> Array:
-        """Columns by name, shape (flights, instants, names)."""
-        return self.values[:, :, [self.columns.index(stem) for stem in stems]]
+        """Columns by name, shape (flights, instants, names); a view where they are neighbours."""
+        places = [self.columns.index(stem) for stem in stems]
+        first, last = places[0], places[-1] + 1
+        if places == [*range(first, last)]:
+            return self.values[:, :, first:last]
+        return self.values[:, :, places]
 
     def vectors(self, name: str) -> Array:
         """A vector of the state, shape (flights, instants, 3)."""
@@ -51,7 +54,7 @@ def sampled_flights(
     times: Any,
     *,
     thrust_factors: Any = None,
-    threads: int | None = None,
+    threads: int = 1,
 ) -> StateSamples:
     """Fly scenarios without avionics, and read their states at some instants.
 
@@ -60,7 +63,8 @@ def sampled_flights(
             numbers only; with thrusts over time, all with the same.
         times: Instants [s], increasing, from 0; ``simulation.duration`` is not used.
         thrust_factors: Factor of all thrusts of each flight, shape (flights,); None: 1.
-        threads: Defaults to the number of processors.
+        threads: More than one help only where a flight takes long from instant to instant: else
+            they wait for each other.
 
     Raises:
         InputError: If all of them are refused, with the first problem.
@@ -106,17 +110,20 @@ def _laid(groups: Sequence[BuiltGroup]) -> Any:
 
 
 def _flown(
-    laid: Any, at: Array, thrusts: ThrustTable | None, factors: Array, threads: int | None
+    laid: Any, at: Array, thrusts: ThrustTable | None, factors: Array, threads: int
 ) -> Array:
     """States of the flights of one kind, and of those that fill the lanes."""
     spare = -len(factors) % LANES
     scale = np.concatenate([factors, np.ones(spare)]).reshape(-1, LANES)
     seen = np.empty((len(at), len(laid.buffers), rows(laid.shape.motion.state), LANES))
-    workers = min(threads or os.cpu_count() or 1, len(laid.buffers))
+    workers = min(threads, len(laid.buffers))
     parts = np.array_split(np.arange(len(laid.buffers)), workers)
-    with ThreadPoolExecutor(workers) as pool:
-        for _ in pool.map(lambda part: _fly_part(laid, part, at, thrusts, scale, seen), parts):
-            pass
+    if workers == 1:
+        _fly_part(laid, parts[0], at, thrusts, scale, seen)
+    else:
+        with ThreadPoolExecutor(workers) as pool:
+            for _ in pool.map(lambda part: _fly_part(laid, part, at, thrusts, scale, seen), parts):
+                pass
     return np.asarray(seen.transpose(1, 3, 0, 2).reshape(-1, len(at), seen.shape[2]))
 
 

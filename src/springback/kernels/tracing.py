@@ -182,6 +182,8 @@ def _by_row(function: Callable[..., R], given: Any, traced: list[Traced]) -> Any
     """Result of a function of traced numbers, called for every row that holds."""
     fill, tape = _filler(given), traced[0].tape
     first = function(*fill(iter([x.value for x in traced])))
+    if type(first) is float and all(isinstance(x, Traced | float) for x in given):
+        return _number_by_row(function, given, tape, first)
     floats, rest = _sorted_leaves(first)
     if any(isinstance(x, Traced) for x in rest):
         raise TypeError(f"{function.__name__} knows traced numbers that it was not given")
@@ -197,6 +199,20 @@ def _by_row(function: Callable[..., R], given: Any, traced: list[Traced]) -> Any
     differs = (bits != bits[0]).any(axis=0).tolist()
     cells = [Traced(tape, block[:, k], x) if differs[k] else x for k, x in enumerate(floats)]
     return _filler(first, float)(iter(cells))
+
+
+def _number_by_row(function: Callable[..., Any], given: Any, tape: Tape, first: Any) -> Any:
+    """The same where all that is given, and the result, are numbers, as for a sine."""
+    found, holds = np.full(len(tape.holds), first), np.zeros(len(tape.holds), dtype=bool)
+    columns = (x.column.tolist() if isinstance(x, Traced) else [x] * len(found) for x in given)
+    for k, row in enumerate(zip(*columns, strict=True)):
+        with contextlib.suppress(ValueError, ArithmeticError):
+            one = function(*row) if tape.holds[k] else None
+            if type(one) is float:
+                found[k], holds[k] = one, True
+    tape.holds &= holds
+    bits = found.view(np.int64)  # −0 is not 0
+    return Traced(tape, found, first) if (bits != bits[0]).any() else first
 
 
 def _sorted_leaves(tree: Any) -> tuple[list[float], list[Any]]:

@@ -11,7 +11,7 @@ from pydantic_core import CoreSchema
 from pydantic_core.core_schema import no_info_plain_validator_function
 
 from springback.errors import shown_value
-from springback.kernels.tracing import hypot, sqrt, traceable  # for batch set-up
+from springback.kernels.tracing import cos, hypot, sin, sqrt, traceable  # for batch set-up
 from springback.kernels.vectors import Mat3, Vec
 from springback.quantities import Mass, PerArm, Triple, Unit, si_number
 from springback.settings import Name, Settings, naming, none_for_false, problem
@@ -64,11 +64,15 @@ def check_matrix(rows: Any) -> None:
     Args:
         rows: The matrix [kg m²], shape (3, 3).
     """
-    matrix = np.array(rows)
-    if not np.allclose(matrix, matrix.T, rtol=1e-9, atol=0.0):
-        raise problem(f"must be symmetric (got {shown_value(rows)} kg m²)")
-    principal = np.linalg.eigvalsh(matrix)
-    if principal[0] <= 0.0:
+    apart = (rows[i][j] for i in range(3) for j in range(3) if i != j)
+    if all(type(entry) is float and entry == 0.0 for entry in apart):  # also of traced numbers
+        principal = [rows[k][k] for k in range(3)]
+    else:
+        matrix = np.array(rows)
+        if not np.allclose(matrix, matrix.T, rtol=1e-9, atol=0.0):
+            raise problem(f"must be symmetric (got {shown_value(rows)} kg m²)")
+        principal = np.linalg.eigvalsh(matrix).tolist()
+    if any(moment <= 0.0 for moment in principal):
         raise problem(f"must have positive principal moments (got {shown_value(rows)} kg m²)")
     check_moments(principal)
 
@@ -86,18 +90,18 @@ class _Inertia:
 def check_moments(principal: Any) -> None:
     """Reject principal moments of inertia that no mass distribution has.
 
-    Each is a sum of two second moments of mass, so none exceeds the sum of the other two; for a
-    plate they are equal.
+    Each is a sum of two second moments of mass: none exceeds that of the others; a plate's equals.
 
     Args:
         principal: Moments [kg m²], in any order, shape (3,).
     """
-    first, second, largest = sorted(principal)
-    if largest > (first + second) * (1.0 + ROUNDING):
-        raise problem(
-            f"is that of no body: the largest principal moment, {largest:g} kg m², must be at most "
-            f"the sum of the others, {first + second:g} kg m²"
-        )
+    a, b, c = principal
+    for largest, others in ((a, b + c), (b, a + c), (c, a + b)):  # without an order: also traced
+        if largest > others * (1.0 + ROUNDING):
+            raise problem(
+                f"is that of no body: the largest principal moment, {largest:g} kg m², must be at "
+                f"most the sum of the others, {others:g} kg m²"
+            )
 
 
 def _one_or_more(value: Any) -> Any:
@@ -456,7 +460,7 @@ class Vehicle(Settings):
         }
         if arms.is_planar:
             return Arm(
-                cosine=exact(math.cos(angle)), sine=exact(math.sin(angle)),
+                cosine=exact(cos(angle)), sine=exact(sin(angle)),
                 stiffness=arms.at("stiffness", j), shortest=length - arms.at("stroke", j), **common,
             )  # fmt: skip
         spring, (low, high) = arms.spring(j), arms.travel(j)

@@ -14,8 +14,10 @@ from click.testing import CliRunner
 
 from builders.recordings import files, whole
 from springback.errors import InputError
-from springback.identification.design import coverage
+from springback.identification.design import coverage, experiments
 from springback.identification.design.coverage import Coverage, FieldCoverage
+from springback.identification.design.experiments import ChosenExperiment, ExperimentPlan
+from springback.identification.unknowns import Unknown
 from springback.interfaces.cli.app import cli
 from springback.logs.reading import read_recording
 from springback.logs.writing.writers import write_recording
@@ -262,3 +264,47 @@ def test_check_writes_its_table_and_replaces_nothing_without_force(
     assert len(flown) == 1  # before anything is flown
     assert CliRunner().invoke(cli, [*words, "--force"]).exit_code == 0
     assert CliRunner().invoke(cli, words[:5], catch_exceptions=False).exit_code == 0
+
+
+STIFFNESS = Unknown("vehicle.arms.stiffness", "free", 8.5, 0.5, True, "N/m", "factor 3")
+PLANNED = ExperimentPlan(
+    (STIFFNESS,), (0.5,), (("1 m/s", (0.1,)), ("3 m/s", (0.04,))),
+    (ChosenExperiment("3 m/s", (0.04,), 2.5),), (("9 m/s", "breaks an arm"),),
+)  # fmt: skip
+
+
+def test_plan_writes_its_table_and_replaces_nothing_without_force(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It had no --out, unlike `fit` and `check`."""
+    weighed = []
+
+    def stub(*given: object, **more: object) -> ExperimentPlan:
+        weighed.append(given)
+        return PLANNED
+
+    monkeypatch.setattr(experiments, "plan_experiments", stub)
+    for name in ("fit.toml", "arq_wall.toml"):
+        shutil.copy(EXAMPLE.parent / name, tmp_path)
+    plan, out = tmp_path / "fit.toml", tmp_path / "planned"
+    plan.write_text(plan.read_text().replace('logs = ["impact_log.toml"]', ""))
+    words = ["identify", "plan", str(plan), "--out", str(out)]
+    done = CliRunner().invoke(cli, words, catch_exceptions=False)
+    assert done.exit_code == 0
+    assert PLANNED.sentence in done.stdout
+    assert "written to" in done.stderr
+    data = json.loads((out / "plan.json").read_text())
+    assert data["fields"] == [STIFFNESS.name]
+    assert data["chosen"] == [{"name": "3 m/s", "half_widths": [0.04], "gain": 2.5}]
+    head, *rows = (out / "plan.csv").read_text().splitlines()
+    assert head == "step,test,field,half_width,relative,unit"
+    assert [row.partition(",vehicle.arms.stiffness,")[::2] for row in rows] == [
+        ("now,", "0.5,True,N/m"), ("alone,1 m/s", "0.1,True,N/m"),
+        ("alone,3 m/s", "0.04,True,N/m"), ("chosen 1,3 m/s", "0.04,True,N/m"),
+    ]  # fmt: skip
+    assert sorted(path.name for path in out.iterdir()) == ["plan.csv", "plan.json"]
+    refused = CliRunner().invoke(cli, words)
+    assert "is not empty; give another folder, or --force" in str(refused.exception)
+    assert len(weighed) == 1  # before anything is weighed
+    assert CliRunner().invoke(cli, [*words, "--force"]).exit_code == 0
+    assert CliRunner().invoke(cli, words[:3], catch_exceptions=False).exit_code == 0

@@ -29,13 +29,13 @@ class InitialState(NamedTuple):
     fallen: float = 0.0  # speed at touch of a drop from a known height, without a track [m/s]
 
     def displace(self, shift: Any) -> InitialState:
-        """The guess with a latent's change, shape (12,): position, velocity, turn, rate."""
-        turn = vector_quaternion(np.asarray(shift[6:9]))
+        """The guess with latents' changes, shape (..., 12): position, velocity, turn, rate."""
+        turn = vector_quaternion(np.asarray(shift[..., 6:9]))
         attitude = product(self.attitude, turn)
+        attitude /= np.linalg.norm(attitude, axis=-1, keepdims=True)
         return InitialState(
-            self.position + shift[:3], self.velocity + shift[3:6],
-            attitude / np.linalg.norm(attitude), self.angular_velocity + shift[9:12], self.tracked,
-            self.fallen,
+            self.position + shift[..., :3], self.velocity + shift[..., 3:6], attitude,
+            self.angular_velocity + shift[..., 9:12], self.tracked, self.fallen,
         )  # fmt: skip
 
 

@@ -18,6 +18,7 @@ from springback.identification.observations.sensor_chain import (
     channel_output,
     fine_grid,
     inertial_means,
+    mean_rates,
     smooth,
 )
 from springback.identification.observations.windows import (
@@ -208,7 +209,7 @@ class ImpactProblem:
         """Flights of some points, and the number of the flight of each point."""
         moving = u[:, self.flies]
         _, firsts, which = np.unique(moving, axis=0, return_index=True, return_inverse=True)
-        tables = [self.flight_tables(u[k]) for k in firsts]
+        tables = self._tables(u[firsts])
         factors = None
         if "thrust factor" in self.place:
             factors = self._columns(u[firsts], "thrust factor")[:, 0]
@@ -218,31 +219,40 @@ class ImpactProblem:
 
     def flight_tables(self, u: Array) -> dict[str, Any]:
         """Scenario of the flight at a point, without avionics, as plain tables."""
-        tables = with_values(self.tables, self.fields, u[: self.count].tolist())
+        return self._tables(u[None])[0]
+
+    def _tables(self, u: Array) -> list[dict[str, Any]]:
+        """Scenarios of the flights at some points."""
+        found = [with_values(self.tables, self.fields, row) for row in u[:, : self.count].tolist()]
+        turns = () if self.slider is None else ("roll", "pitch", "yaw", "quaternion")
+        for tables, start in zip(found, self._starts(u), strict=True):
+            given = tables.get("start", {})
+            tables["start"] = {key: given[key] for key in turns if key in given} | start
+        return found
+
+    def _starts(self, u: Array) -> list[dict[str, Any]]:
+        """What latents tell of their starts."""
         start = self.impact.start
         if self.slider is None:
             names = [
                 f"start {name} {a}"
                 for name in ("position", "velocity", "attitude", "angular velocity") for a in _AXES
             ]  # fmt: skip
-            moved = start.displace(self._columns(u[None], *names)[0])
-            tables["start"] = {
-                "position": moved.position.tolist(), "velocity": moved.velocity.tolist(),
-                "quaternion": moved.attitude.tolist(),
-                "angular_velocity": moved.angular_velocity.tolist(),
-            }  # fmt: skip
-            return tables
+            moved = start.displace(self._columns(u, *names))
+            given = zip(
+                moved.position.tolist(), moved.velocity.tolist(), moved.attitude.tolist(),
+                moved.angular_velocity.tolist(), strict=True,
+            )  # fmt: skip
+            keys = ("position", "velocity", "quaternion", "angular_velocity")
+            return [dict(zip(keys, one, strict=True)) for one in given]
         axis = np.array(self.slider) / np.linalg.norm(self.slider)
-        way, speed = self._columns(u[None], "start position", "start velocity")[0]
-        kept = {
-            key: value for key, value in tables.get("start", {}).items()
-            if key in ("roll", "pitch", "yaw", "quaternion")
-        }  # fmt: skip
-        tables["start"] = kept | {
-            "position": (start.position + way * axis).tolist(),
-            "velocity": (start.velocity + speed * axis).tolist(),
-        }
-        return tables
+        return [
+            {
+                "position": (start.position + way * axis).tolist(),
+                "velocity": (start.velocity + speed * axis).tolist(),
+            }
+            for way, speed in self._columns(u, "start position", "start velocity")
+        ]
 
     def refusal(self, u: Array) -> str:
         """Why a flight cannot be flown; empty if it can."""
@@ -347,11 +357,14 @@ class ImpactProblem:
         return place
 
     def _inertial(self, one: ChannelWindow, samples: StateSamples, which: Any, u: Array) -> Array:
-        place = self.plan.sensors.place or self.scenario.sensors.imu.offset
-        means = inertial_means(samples, np.array(place), self.scenario.world.gravity)
         is_force = one.quantity == SPECIFIC_FORCE
         word = "accelerometer bias" if is_force else "gyroscope bias"
-        true = means.specific_force if is_force else means.angular_velocity
+        if is_force:
+            place = self.plan.sensors.place or self.scenario.sensors.imu.offset
+            gravity = self.scenario.world.gravity
+            true = inertial_means(samples, np.array(place), gravity).specific_force
+        else:
+            true = mean_rates(samples)
         bias = self._columns(u, *(f"{word} {a}" for a in _AXES))
         felt = self._calibrated(true[which], u) if is_force else true[which]
         corner, corners = CORNER[one.quantity], None

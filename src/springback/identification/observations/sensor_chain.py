@@ -68,12 +68,18 @@ def inertial_means(samples: StateSamples, place: Array, gravity: float) -> Inert
     middle /= np.linalg.norm(middle, axis=-1, keepdims=True)
     acceleration = np.diff(v, axis=1) / dt
     acceleration[..., 2] += gravity
-    mean = 0.5 * (omega[:, 1:] + omega[:, :-1])
+    mean = mean_rates(samples)
     force = _turned_back(middle, acceleration)
     if place.any():
         alpha = np.diff(omega, axis=1) / dt
         force += np.cross(alpha, place) + np.cross(mean, np.cross(mean, place))
     return InertialMeans(force, mean)
+
+
+def mean_rates(samples: StateSamples) -> Array:
+    """Means of the angular velocity, body axes, shape (flights, intervals, 3) [rad/s]."""
+    omega = samples.vectors("angular_velocity")
+    return np.asarray(0.5 * (omega[:, 1:] + omega[:, :-1]))
 
 
 def _turned_back(q: Array, vectors: Array) -> Array:

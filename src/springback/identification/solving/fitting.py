@@ -12,6 +12,7 @@ from springback.errors import InputError
 from springback.identification.observations.likelihood import ImpactProblem
 from springback.identification.solving.least_squares import (
     DIFFERENCE,
+    ENOUGH,
     MOST_ROUNDS,
     jacobians,
     solve,
@@ -22,7 +23,12 @@ from springback.identification.solving.profiles import (
     Profile,
     profile_likelihoods,
 )
-from springback.identification.solving.search_progress import SearchProgress, Tell, ignore_words
+from springback.identification.solving.search_progress import (
+    SearchProgress,
+    Tell,
+    Watch,
+    ignore_words,
+)
 from springback.identification.unknowns import FARTHEST
 from springback.logs.recording import Array
 from springback.progress import Progress, silent
@@ -36,6 +42,9 @@ LONG, MOST_EDGES = 0.5, 3
 SEARCHES = 4
 #: Costs of optima that count as one (chosen).
 SAME = 0.1
+#: Fall of the cost in a round below which a start is followed no further, as the best is fitted
+#: again, and rounds of that with derivatives by secants (chosen).
+ROUGH, SECANTS = 0.1, 8
 
 
 class ImpactFit(NamedTuple):
@@ -100,8 +109,11 @@ def fit_impact(
         problem.impact.name, lambda: problem.flown, progress=progress, tell=tell
     )  # fmt: skip
     searching = told.searching(starts, MOST_ROUNDS)
-    _refuse_unflyable(problem, first[0])
-    rough = solve(problem, first, farthest=FARTHEST, central=False, watch=searching)
+    _refuse_unflyable(problem, first[0], central=False)
+    rough = solve(
+        problem, first, farthest=FARTHEST, enough=ROUGH, hasty=True, central=False, secants=1,
+        watch=searching,
+    )  # fmt: skip
     if not np.isfinite(rough.costs).any():
         raise InputError(
             f"{problem.impact.name}: no flight of the scenario can be flown from the logged start; "
@@ -111,14 +123,12 @@ def fit_impact(
     point, cost = rough.points[best], float(rough.costs[best])
     problem.refine_noise(point)
     polishing = told.polishing(MOST_ROUNDS)
-    again = solve(problem, point[None], farthest=FARTHEST, watch=polishing)
-    point, cost = again.points[0], float(again.costs[0])
+    point, cost, slopes = _polished(problem, point, polishing)
     least = float(rough.costs[best])
     agreeing = int((rough.costs < least + max(SAME, 1e-3 * least)).sum())
     found: dict[str, Profile] = {}
     unsettled = False
     for turn in range(SEARCHES):
-        slopes = _refuse_unflyable(problem, point)
         covariance = _inverse(slopes)
         if not profiles:
             break
@@ -130,8 +140,7 @@ def fit_impact(
         if better is None or turn == SEARCHES - 1:
             found = known
             break
-        again = solve(problem, better[None], farthest=FARTHEST, watch=polishing)
-        point, cost = again.points[0], float(again.costs[0])
+        point, cost, slopes = _polished(problem, better, polishing)
     bounds = _edges(problem, point, slopes, covariance)
     if unsettled:
         bounds += (
@@ -145,14 +154,35 @@ def fit_impact(
     )  # fmt: skip
 
 
-def _refuse_unflyable(problem: ImpactProblem, point: Array) -> Array:
+def _polished(problem: ImpactProblem, point: Array, watch: Watch) -> tuple[Array, float, Array]:
+    """The optimum next to a point, its cost, and the derivatives there.
+
+    Raises:
+        InputError: As `_refuse_unflyable`.
+    """
+    cost = float((problem(point[None]) ** 2).sum())
+    for _ in range(MOST_ROUNDS):
+        slopes = _refuse_unflyable(problem, point)
+        found = solve(
+            problem, point[None], farthest=FARTHEST, secants=SECANTS, slopes=slopes[None],
+            checked=False, watch=watch,
+        )  # fmt: skip
+        if found.costs[0] > cost - ENOUGH:
+            break
+        point, cost = found.points[0], float(found.costs[0])
+    return point, cost, slopes
+
+
+def _refuse_unflyable(problem: ImpactProblem, point: Array, *, central: bool = True) -> Array:
     """Derivatives at a point, shape (rows, unknowns); of one side at the edge of what can be flown.
 
     Raises:
         InputError: If neither it nor a flight with another number of one unknown can be flown, with
             the reason.
     """
-    _, [slopes] = jacobians(problem, point[None], np.ones(len(point), dtype=bool))
+    _, [slopes] = jacobians(
+        problem, point[None], np.ones(len(point), dtype=bool), central=central
+    )  # fmt: skip
     bad = np.flatnonzero(~np.isfinite(slopes).all(axis=0))
     if len(bad):
         other = point.copy()

@@ -105,6 +105,7 @@ def profile_likelihoods(
     }
     # Where the others go when one moves, first as Laplace has it, then as they went.
     ways = [covariance[:, end.place] / covariance[end.place, end.place] for end in ends]
+    bent: Array | None = None  # derivatives of all ends: later rounds are near to the first
     for turn in range(1, ROUNDS + 1):
         busy = [k for k, end in enumerate(ends) if not end.settled]
         if not busy:
@@ -118,8 +119,12 @@ def profile_likelihoods(
             held[row, end.place] = True
         found = solve(
             evaluate, starts, farthest=FARTHEST, held=held, rounds=FITTING, enough=FITTED,
-            damping=1e-6, together=False, central=False, watch=watched,
+            damping=1e-6, together=False, central=False, secants=0 if bent is None else FITTING,
+            slopes=None if bent is None else bent[busy], checked=bent is None, watch=watched,
         )  # fmt: skip
+        if bent is None:
+            bent = found.jacobians
+        bent[busy] = found.jacobians
         if found.costs.min() < cost - BETTER:
             return _profiles(evaluate, point, ends, told), found.points[int(found.costs.argmin())]
         for row, k in enumerate(busy):

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import click
 
 from springback.errors import InputError
-from springback.interfaces.cli.common import Output, Terminal, output_options, terminal_options
+from springback.interfaces.cli.common import Output, output_options
 from springback.interfaces.cli.completion import ScenarioPath
 
 if TYPE_CHECKING:
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
     from springback.identification.report.assumptions import Assumption
     from springback.identification.solving.fitting import ImpactFit
 
-#: Files of a check.
-CHECK_FILES = ("check.json", "check.csv")
+#: Files of a check, and of a plan of tests.
+CHECK_FILES, PLAN_FILES = ("check.json", "check.csv"), ("plan.json", "plan.csv")
 #: Cover of a 95 % interval below which it is too narrow.
 LEAST = 0.9
 
@@ -186,8 +186,8 @@ def coverage_text(found: Coverage) -> str:
 @click.command("plan")
 @click.argument("plan", type=ScenarioPath())
 @click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
-@terminal_options("as_json", "quiet")
-def plan_tests(plan: Path, overrides: tuple[str, ...], terminal: Terminal) -> None:
+@output_options("Folder for plan.json and plan.csv.", "force", "as_json", "quiet", required=False)
+def plan_tests(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
     """Which impact to fly next for a PLAN: the tests that tell most of its free fields.
 
     Candidates are the plan's ``candidates``: speeds, pitches and yaws of the scenario's start, and
@@ -196,25 +196,50 @@ def plan_tests(plan: Path, overrides: tuple[str, ...], terminal: Terminal) -> No
     \b
     springback identify plan fit.toml
     springback identify plan fit.toml candidates.speeds='["1 m/s", "3 m/s"]' candidates.count=2
+    springback identify plan fit.toml --out planned
     """
     from springback.identification.design.experiments import plan_experiments
     from springback.identification.fits import fit as carry_out
     from springback.identification.settings import naming_places, read_fit_plan
+    from springback.interfaces.reports.study_files import write_study
 
     ready = read_fit_plan(plan, overrides)
     fits: Sequence[ImpactFit] = ()
-    if ready.flights:
-        with naming_places(plan), terminal.progress_in_words("fitting") as (progress, tell):
-            fits = carry_out(ready, plan.parent, progress=progress, tell=tell).fits
-    with naming_places(plan), terminal.progress_bar("weighing tests") as progress:
-        found = plan_experiments(ready, plan.parent, fits=fits, progress=progress)
-    data = found._asdict() | {
-        "fields": [one.name for one in found.fields], "sentence": found.sentence,
-        "chosen": [one._asdict() for one in found.chosen],
-    }  # fmt: skip
-    terminal.print(data, experiments_text(found))
+    written = list[Path]()
+    is_kept = output.out is not None
+    with output.folder(PLAN_FILES) if is_kept else nullcontext() as folder:
+        if ready.flights:
+            with naming_places(plan), output.progress_in_words("fitting") as (progress, tell):
+                fits = carry_out(ready, plan.parent, progress=progress, tell=tell).fits
+        with naming_places(plan), output.progress_bar("weighing tests") as progress:
+            found = plan_experiments(ready, plan.parent, fits=fits, progress=progress)
+        data = found._asdict() | {
+            "fields": [one.name for one in found.fields], "sentence": found.sentence,
+            "chosen": [one._asdict() for one in found.chosen],
+        }  # fmt: skip
+        if folder is not None:
+            written = write_study(folder, "plan", data, {"plan": experiments_rows(found)}, {})
+    output.print(data, experiments_text(found))
+    if is_kept:
+        output.note_written(written)
     if not found.chosen:
         sys.exit(1)
+
+
+def experiments_rows(found: ExperimentPlan) -> list[dict[str, str | float | bool]]:
+    """Half widths of 95 % intervals now, with each test alone, and with those chosen so far."""
+    steps = [("now", "", found.before), *(("alone", *one) for one in found.alone)]
+    steps += [
+        (f"chosen {k}", one.name, one.half_widths) for k, one in enumerate(found.chosen, start=1)
+    ]
+    return [
+        {
+            "step": step, "test": test, "field": field.name, "half_width": width,
+            "relative": field.logarithmic, "unit": field.unit,
+        }
+        for step, test, widths in steps
+        for field, width in zip(found.fields, widths, strict=True)
+    ]  # fmt: skip
 
 
 def experiments_text(found: ExperimentPlan) -> str:
