@@ -11,6 +11,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from contextlib import suppress
 from multiprocessing import get_context
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -39,6 +40,8 @@ from springback.scenario.scenario import Scenario, scenario_from
 #: Displacement of the start along its velocity, at most [m] (chosen: several ticks), and bounds of
 #: the displacement of a prior's middle, in its deviations (chosen: nineteen of twenty truths).
 DISPLACED, WITHIN = 0.01, 2.0
+#: Draws of displaced middles at most, until they are of a vehicle that can be (chosen).
+MOST_DRAWS = 100
 #: Time before touch that sets are flown for, at least: noise is estimated in it [s]; and that over
 #: which the acceleration of a start is taken [s] (chosen).
 LEAD, SHORT = 0.55, 0.01
@@ -242,7 +245,7 @@ def fitted_set(
         corrupt: Change of the recording.
     """
     generator = stream(plan.seed, Purpose.TRIAL, seed)
-    displaced = displaced_fields(fields, generator)
+    displaced = _believed_fields(tables, fields, generator)
     flown = _flown_tables(dict(tables if truth is None else truth), seed, generator)
     try:
         fits = synthetic_fits(plan, tables, displaced, flown, f"set {seed}", corrupt=corrupt)
@@ -307,6 +310,22 @@ def synthetic_fits(
         problem = ImpactProblem(plan, believed, tables, fields, readings)
         fits.append(fit_impact(problem, starts=plan.starts, seed=plan.seed))
     return fits
+
+
+def _believed_fields(
+    tables: Mapping[str, Any], fields: Sequence[Unknown], generator: np.random.Generator
+) -> list[Unknown]:
+    """Fields by `displaced_fields`, drawn anew where together they are of no vehicle.
+
+    Nobody believes in moments of inertia that no body has, however uncertain each of them is.
+    """
+    scenario = scenario_from(dict(tables))
+    for _ in range(MOST_DRAWS):
+        found = displaced_fields(fields, generator)
+        with suppress(InputError):
+            scenario_from(at_centres(tables, found, scenario))
+            break
+    return found
 
 
 def displaced_fields(fields: Sequence[Unknown], generator: np.random.Generator) -> list[Unknown]:

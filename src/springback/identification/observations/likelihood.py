@@ -57,6 +57,11 @@ SETTLED, OUTLIER = 0.02, 5.0
 _AXES = "xyz"
 #: Latents of an accelerometer's calibration.
 SCALE, TURN = "accelerometer scale", "accelerometer misalignment"
+#: Distance from their balance [m] and rate [m/s] below which arms are locked (chosen).  What they
+#: still move is lost at once, which an accelerometer sees in the one sample that it falls into: by
+#: default 0.9 of its noise, and another sample for numbers that differ in the last digit; the cost
+#: then jumps by 2, and has several optima.
+STILL_ARM, STILL_RATE = 1e-8, 1e-6
 #: Latents of the corner of a low-pass.
 CORNER = {
     SPECIFIC_FORCE: "accelerometer low-pass", ANGULAR_VELOCITY: "gyroscope low-pass",
@@ -452,6 +457,6 @@ def open_loop(tables: Mapping[str, Any], impact: ImpactWindow) -> dict[str, Any]
         kept["thrust"] = impact.thrust
     elif piloted:
         kept["thrust"] = "hover"
-    simulation = dict(kept.get("simulation", {}))
-    simulation["duration"] = impact.until + 1e-3
+    settling = {"arm_tolerance": STILL_ARM, "rate_tolerance": STILL_RATE}
+    simulation = {**kept.get("simulation", {}), **settling, "duration": impact.until + 1e-3}
     return kept | {"simulation": simulation}
