@@ -108,7 +108,7 @@ def test_shares_are_counted_by_pitch() -> None:
     good = [10, 10, 9, 10, 8, 5]
     outcomes = ["recovered" if k < count else "hit_ground" for count in good for k in range(10)]
     loss = np.arange(60.0)
-    rows = Rows(outcomes, {"height_loss": loss}, [""] * 60, [""] * 60)
+    rows = Rows(outcomes, {"height_loss": loss}, [""] * 60, [""] * 60, [""] * 60)
     shares = shares_of(hits, rows)
     assert [one.recovered.value for one in shares] == [1.0, 1.0, 0.9, 1.0, 0.8, 0.5]
     assert [one.flights for one in shares] == [10] * 6
