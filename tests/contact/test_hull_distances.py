@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import os
 from collections.abc import Callable
 from typing import Any, NamedTuple
@@ -81,6 +82,11 @@ def deepest_faces(faces: HullFaces, gap_at: Callable[[Array], Any]) -> list[Deep
     return found
 
 
+def gap_of_core(field: Any, radius: float, position: Array, turn: Array, x: Array) -> Any:
+    """Gap of a hull at points of its core, body axes, where it is."""
+    return field(position + x @ turn.T) - radius
+
+
 class Misses(NamedTuple):
     """By how much the routine differs from samples at some poses, shape (n,) each."""
 
@@ -109,14 +115,14 @@ def misses(shape: str, hull: str, count: int) -> Misses:
     gap, where = lowest_in(form, field, positions, turns)
     deepest = []
     for k, (faces, p, r) in enumerate(zip(faces_at(parts), positions, turns, strict=True)):
-        each = deepest_faces(faces, lambda x, p=p, r=r: field(p + x @ r.T) - solid)  # type: ignore[misc]
+        each = deepest_faces(faces, functools.partial(gap_of_core, field, solid, p, r))
         for one in each:
             # What is said to be nearest is as near, and a point of the hull: samples may miss it.
             point = p + r @ np.array(one.face.at.point) - solid * (r @ np.array(one.face.inward))
             [there] = field(point[None]) - solid
             if there < gap[k] and is_within(form, (point - p) @ r):
                 gap[k], where[k] = there, point
-        deepest.append(min(each, key=lambda one, least=gap[k]: abs(one.gap - least)))  # type: ignore[misc]
+        deepest.append(each[int(np.argmin([abs(one.gap - gap[k]) for one in each]))])
     seen = [one.face for one in deepest]
     found, steepness = np.array([[one.gap, one.face.steepness] for one in deepest]).T
     inward = np.einsum("nij,nj->ni", turns, [face.inward for face in seen])
