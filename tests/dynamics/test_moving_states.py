@@ -72,6 +72,51 @@ def test_a_raised_pendulum_falls() -> None:
     assert c["obstacle0_z"][-1] < c["obstacle0_z"][0]
 
 
+ROPE = {
+    "type": "capsule", "start": [0.3, 0.06, -0.8], "end": [0.3, 0.06, 1.2], "radius": 0.006,
+    "surface": SURFACE | {"friction": 0.0},
+    "motion": {"type": "pendulum", "mass": 0.2, "pivot": [0.3, 0.06, 1.3], "damping": 0.05},
+}  # fmt: skip
+
+
+def test_damping_takes_all_spin_of_a_pendulum_at_the_rate_of_its_swing() -> None:
+    """Else that of a rope about itself, 10⁻⁵ of its moment, would decay within microseconds."""
+    spin = {"angular_velocity": [0.2, 0.0, 5.0]}
+    c = far(ROPE | {"motion": ROPE["motion"] | spin}, gravity=0.0).columns
+    about = 0.2 * (2.012**2 / 12.0 + 1.1**2)
+    left = math.exp(-0.05 / about * c["t"][-1])
+    assert c["obstacle0_wz"][-1] == pytest.approx(5.0 * left, rel=1e-5)
+    turned = math.hypot(c["obstacle0_wx"][-1], c["obstacle0_wy"][-1])
+    assert turned == pytest.approx(0.2 * left, rel=1e-3)
+    assert left < 0.999
+
+
+def test_a_thin_rope_is_met_in_few_steps() -> None:
+    """Steps follow what an impulse on its surface does, not the least of its moments of inertia."""
+    flight = plain(ROPE)
+    assert flight.measures["contacts"] >= 1.0
+    assert len(flight.columns["t"]) < 300
+    assert abs(flight.measures["ledger_residual"]) < 1e-6
+
+
+def test_the_speed_per_impulse_of_a_body_is_bounded_closely() -> None:
+    """By a point of its surface and a direction, at random: never more, and hardly less."""
+    generator = np.random.default_rng(3)
+    motions = (ROPE["motion"], {"type": "free", "mass": 0.2})
+    for motion in nonempty(motions):
+        world = scenario_from(tables(ROPE | {"motion": motion})).flight_model().world
+        body = moving_bodies(world.obstacles)[0]
+        from_pivot = np.array([0.0, 0.0, -1.1]) if motion is motions[0] else np.zeros(3)
+        angle, height = generator.uniform(0, 2 * np.pi, 2000), generator.choice((-1.0, 1.0), 2000)
+        points = np.column_stack([0.006 * np.cos(angle), 0.006 * np.sin(angle), height])
+        along = generator.standard_normal((2000, 3))
+        along /= np.linalg.norm(along, axis=1)[:, None]
+        turned = np.cross(points + from_pivot, along)
+        found = np.einsum("ki,ij,kj->k", turned, np.array(body.inverse), turned).max()
+        found += 0.0 if motion is motions[0] else 1.0 / 0.2
+        assert found < body.mobility < 1.6 * found
+
+
 def test_a_free_body_falls_and_turns_as_it_was_thrown() -> None:
     motion = {
         "type": "free",

@@ -180,7 +180,8 @@ def _joint(body: MovingBody, state: BodyState, pose: BodyPose) -> HingeTorque:
     if body.kind == HINGED:
         return hinge_torque(body, hinge_angle(body, state.attitude), pose.spin @ body.axis)
     if body.kind == PIVOTED:
-        return HingeTorque(0.0, body.damping * (pose.spin @ pose.spin), 0.0)
+        spin = pose.spin @ pose.r
+        return HingeTorque(0.0, body.damping * (spin @ (body.inertia @ spin)), 0.0)
     return HingeTorque(0.0, 0.0, 0.0)
 
 
@@ -211,8 +212,7 @@ def _accelerations(
             about = body.axis @ (body.inertia @ body.axis)
             angular = body.axis * ((moment @ body.axis + joint) / about)
         else:
-            turned = (moment - body.damping * pose.spin) @ pose.r - gyroscopic
-            angular = body.inverse @ turned
+            angular = body.inverse @ (moment @ pose.r - gyroscopic) - body.damping * spin
         turning = pose.r @ angular
         linear = (turning ^ lever) + (pose.spin ^ (pose.spin ^ lever))
         return BodyAccelerations(linear, angular)
@@ -267,7 +267,7 @@ def body_rates(s: BodySituation) -> BodyRates:
     spring = (reaction.stiffness + touch.stiffness) * give
     damper = (reaction.damper + touch.damper) * give
     hinge = (body.closer + body.stop) * _per_inertia(body)
-    contact_rate = math.sqrt(spring + hinge) + damper + body.damping * _per_inertia(body)
+    contact_rate = math.sqrt(spring + hinge) + damper + _decay_rate(body)
     shaken = norm(a.linear) + body.reach * norm(a.angular)
     if body.kind == CARRIED:  # along the face: what its own vehicle found
         shaken = _shaken_along(body, at.r @ (reaction.force - reaction.friction))
@@ -342,13 +342,16 @@ def _rates_by_routine(
 
 @kernel
 def _per_inertia(body: MovingBody) -> float:
-    """Reciprocal of the inertia about a hinge, or the largest about a pivot [1/(kg m²)]."""
+    """Reciprocal of the inertia about a hinge [1/(kg m²)]."""
     if body.kind == HINGED:
         return 1.0 / (body.axis @ (body.inertia @ body.axis))
-    if body.kind == PIVOTED:
-        inverse = body.inverse
-        return larger(larger(inverse.x.x, inverse.y.y), inverse.z.z)
     return 0.0
+
+
+@kernel
+def _decay_rate(body: MovingBody) -> float:
+    """Rate at which damping takes the spin on a hinge or a pivot [1/s]."""
+    return body.damping if body.kind == PIVOTED else body.damping * _per_inertia(body)
 
 
 @kernel

@@ -73,7 +73,7 @@ class MovingBody(NamedTuple):
     lever: Vec  # from the pivot to the centre of mass, its own axes [m]
     axis: Vec  # unit vector of the hinge, or of prescribed turning: world, and its own axes
     closer: float  # stiffness of the closer [N m/rad]
-    damping: float  # of the closer, or of the pivot [N m s]
+    damping: float  # of the closer [N m s]; on a pivot, the rate at which spin decays [1/s]
     rest: float  # angle at which the closer is relaxed [rad]
     lowest: float  # angles of the stops [rad]
     highest: float

@@ -227,19 +227,21 @@ def _with_mass(shape: MovingShape) -> MovingBody:
         points=NumberTable(_points(shape.solids, origin)),
     )  # fmt: skip
     if isinstance(motion, FreeMotion):
-        return _free(body, motion, origin, inertia)
-    return _pivoted(body, motion, origin, inertia)
+        return _free(body, motion, origin, inertia, _corners(shape.solids))
+    return _pivoted(body, motion, origin, inertia, _corners(shape.solids))
 
 
 def _matrix(rows: Any) -> Mat3:
     return Mat3(*(Vec(*row) for row in rows.tolist()))
 
 
-def _free(body: MovingBody, motion: FreeMotion, origin: Array, inertia: Array) -> MovingBody:
+def _free(
+    body: MovingBody, motion: FreeMotion, origin: Array, inertia: Array, corners: Array
+) -> MovingBody:
     inverse = np.linalg.inv(inertia)
-    give = 1.0 / motion.mass + body.reach**2 * float(np.linalg.norm(inverse, 2))
     return body._replace(
-        kind=FREE, inertia=_matrix(inertia), inverse=_matrix(inverse), mobility=give,
+        kind=FREE, inertia=_matrix(inertia), inverse=_matrix(inverse),
+        mobility=1.0 / motion.mass + _turned_by_impulse(corners - origin, inverse),
         start=_state(
             position=Vec(*origin.tolist()), velocity=Vec(*motion.velocity),
             angular_velocity=Vec(*motion.angular_velocity),
@@ -248,27 +250,31 @@ def _free(body: MovingBody, motion: FreeMotion, origin: Array, inertia: Array) -
 
 
 def _pivoted(
-    body: MovingBody, motion: PendulumMotion | HingeMotion, origin: Array, inertia: Array
-) -> MovingBody:
-    lever = origin - np.array(motion.pivot)
+    body: MovingBody, motion: PendulumMotion | HingeMotion, origin: Array, inertia: Array,
+    corners: Array,
+) -> MovingBody:  # fmt: skip
+    lever, far = origin - np.array(motion.pivot), corners - np.array(motion.pivot)
     about = inertia + motion.mass * (lever @ lever * np.eye(3) - np.outer(lever, lever))
     inverse = np.linalg.inv(about)
-    far = (body.reach + float(np.linalg.norm(lever))) ** 2
     turned = body._replace(
-        kind=PIVOTED, inertia=_matrix(about), inverse=_matrix(inverse), damping=motion.damping,
+        kind=PIVOTED, inertia=_matrix(about), inverse=_matrix(inverse),
         pivot=Vec(*motion.pivot), lever=Vec(*lever.tolist()),
-        mobility=far * float(np.linalg.norm(inverse, 2)),
+        mobility=_turned_by_impulse(far, inverse),
     )  # fmt: skip
     if isinstance(motion, PendulumMotion):
         if not lever @ lever > 0.0:
             raise problem("must not be the centre of mass", "pivot")
-        return turned._replace(start=_state(angular_velocity=Vec(*motion.angular_velocity)))
+        return turned._replace(
+            damping=motion.damping / float(np.linalg.eigvalsh(about)[-1]),
+            start=_state(angular_velocity=Vec(*motion.angular_velocity)),
+        )
     axis = _unit(motion.axis)
     around = float(np.array(axis) @ about @ np.array(axis))
+    swept = float((np.cross(np.array(axis), far) ** 2).sum(axis=1).max())
     return turned._replace(
-        kind=HINGED, axis=axis, closer=motion.closer, rest=motion.rest, lowest=motion.lowest,
-        highest=motion.highest, stop=motion.stop_stiffness, mobility=far / around,
-        start=_state(angular_velocity=motion.turning * axis),
+        kind=HINGED, axis=axis, closer=motion.closer, damping=motion.damping, rest=motion.rest,
+        lowest=motion.lowest, highest=motion.highest, stop=motion.stop_stiffness,
+        mobility=swept / around, start=_state(angular_velocity=motion.turning * axis),
     )  # fmt: skip
 
 
@@ -290,6 +296,31 @@ def _reach(solids: Sequence[SolidShape], origin: Array) -> float:
         half = Solid(*solid, 0, 0.0, 0).half_lengths()
         far.append(float(np.linalg.norm(solid.centre - origin)) + math.hypot(*half))
     return max(far)
+
+
+def _corners(solids: Sequence[SolidShape]) -> Array:
+    """Corners of the boxes around some solids [m], shape (corners, 3)."""
+    signs = np.array(np.meshgrid(*[(-1.0, 1.0)] * 3)).reshape(3, -1).T
+    return np.concatenate(
+        [s.centre + signs * Solid(*s, 0, 0.0, 0).half_lengths() @ s.axes for s in solids]
+    )
+
+
+def _turned_by_impulse(points: Array, inverse: Array) -> float:
+    """Upper bound of the speed that an impulse gives its own point by turning a body [1/kg].
+
+    The largest eigenvalue of [p]ᵀ I⁻¹ [p], with p ^ n = [p] n, is convex in p, and so largest at a
+    corner.  A bound by the farthest point and the least moment of inertia would be ten thousand
+    times as much for a rod.
+
+    Args:
+        points: Corners of what is struck, from what it turns about [m], shape (corners, 3).
+        inverse: Inverse of the inertia about that, shape (3, 3).
+    """
+    none = np.zeros(len(points))
+    x, y, z = points.T
+    turns = np.array([[none, -z, y], [z, none, -x], [-y, x, none]]).transpose(2, 0, 1)
+    return float(np.linalg.eigvalsh(turns.transpose(0, 2, 1) @ inverse @ turns).max())
 
 
 def _points(solids: Sequence[SolidShape], origin: Array) -> Array:

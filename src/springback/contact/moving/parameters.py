@@ -126,7 +126,8 @@ class PendulumMotion(_MassiveMotion):
     angular_velocity: Spin = NOWHERE
     """About the pivot, world axes."""
     damping: AngularDamping = 0.0
-    """Of the pivot, against its angular velocity."""
+    """Of the pivot, against its swing.  All its spin, that about its own axis too, decays at the
+    same rate, c over its largest moment of inertia about the pivot."""
 
 
 class HingeMotion(_MassiveMotion):
