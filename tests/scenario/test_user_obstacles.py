@@ -147,6 +147,37 @@ def test_what_is_right_is_left_alone(shape: Any, start: Vec) -> None:
         check_own_obstacles([(shape, WALL)], start)
 
 
+class Tube(NamedTuple):
+    """A torus about the X axis, with its distance times a factor."""
+
+    x: float
+    stretch: float
+
+
+@signed_distance.register(Tube)  # type: ignore[attr-defined]
+@kernel
+def tube_distance(tube: Tube, point: Vec) -> float:
+    away = math.sqrt(point.y**2 + (point.z - 1.0) ** 2) - 0.15
+    return tube.stretch * (math.sqrt(away * away + (point.x - tube.x) ** 2) - 0.03)
+
+
+@outward_normal.register(Tube)  # type: ignore[attr-defined]
+@kernel
+def tube_normal(tube: Tube, point: Vec) -> Vec:
+    q = math.sqrt(point.y**2 + (point.z - 1.0) ** 2) + 1e-12
+    away = q - 0.15
+    n = 1.0 / (math.sqrt(away * away + (point.x - tube.x) ** 2) + 1e-12)
+    return Vec((point.x - tube.x) * n, away * n * point.y / q, away * n * (point.z - 1.0) / q)
+
+
+@pytest.mark.parametrize("start", [START, Vec(2.7, 0.0, 1.0)])
+def test_a_ring_is_looked_at_from_its_axis_too(start: Vec) -> None:
+    """Every ray along an axis or a diagonal misses it, and its gradient points through it."""
+    assert len(check_shape_from(start, Tube(2.75, 1.0), "ring").surface) > 2
+    with pytest.raises(InputError, match="its surface is no farther than"):
+        check_shape_from(start, Tube(2.75, 1.5), "ring")
+
+
 def test_it_costs_milliseconds_once() -> None:
     """Flights from the same place do not pay again."""
     pole = Pole(2.75, 0.0, 0.05)

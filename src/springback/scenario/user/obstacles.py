@@ -45,6 +45,9 @@ BESIDE = 1e-3
 #: exceeds `LOOSE`, only a normal more than 60 deg off is refused, and nothing where the depth is
 #: more than `FOCAL` of the radius of curvature.
 BEND, LOOSE, FOCAL = 3.0, 0.3, 0.5
+#: Distance of the points beside a start from which the surface is looked for where no ray from
+#: itself meets it, over its distance (chosen).
+ASIDE = 0.1
 #: Maximum number of steps along a ray, and of the bisection that ends it.
 STEPS, HALVINGS = 150, 50
 
@@ -121,10 +124,11 @@ def own_names(world: WorldSettings, own: Sequence[object]) -> list[str]:
 def check_own_obstacles(own: Sequence[Own], start: Vec, names: Sequence[str] = ()) -> None:
     """Reject obstacles whose distance or normal is wrong where a vehicle could touch them.
 
-    Rays start at the vehicle along the axes, the diagonals and the gradient of the distance.  Where
-    they hit the surface, and up to 30 mm inside and 10 mm outside of it, the normal must be a unit
-    vector and along the gradient of the distance, which grows by 1 m a metre (points of a crease,
-    which has none, are excluded).  At no point on the way may the returned distance exceed the true
+    Rays start at the vehicle along the axes, the diagonals and the gradient of the distance; if
+    none hits the surface, beside it along the gradient there.  Where they hit the surface, and up
+    to 30 mm inside and 10 mm outside of it, the normal must be a unit vector and along the gradient
+    of the distance, which grows by 1 m a metre (points of a crease, which has none, are excluded).
+    At no point on the way may the returned distance exceed the true
     one.  Flights that start in the same cubic metre are checked once.
 
     Args:
@@ -190,13 +194,21 @@ class _Sampled:
     def check(self, start: Vec) -> None:
         there = self.distance(start)
         for direction in itertools.chain([-self.gradient(start)], _directions()):
-            if norm(direction) > UNIT:
-                hit = self.ray_hit(start, direction * (1.0 / norm(direction)), abs(there))
-                if hit is not None:
-                    self.hits.append(hit)
-                    self.check_at(hit)
+            self.check_along(start, direction, abs(there))
+        if not self.hits:  # as on the axis of a ring, where the gradient is zero or through it
+            for way in itertools.chain(_AXES, (-axis for axis in _AXES)):
+                beside = start + way * (ASIDE * abs(there))
+                self.check_along(beside, -self.gradient(beside), abs(there))
         if not self.hits:
             self.normal(start)  # no hit: check at least for a unit vector
+
+    def check_along(self, start: Vec, direction: Vec, first: float) -> None:
+        """Check where a ray hits the surface, at some distance from its start [m]."""
+        if norm(direction) > UNIT:
+            hit = self.ray_hit(start, direction * (1.0 / norm(direction)), first)
+            if hit is not None:
+                self.hits.append(hit)
+                self.check_at(hit)
 
     def ray_hit(self, start: Vec, direction: Vec, first: float) -> _RayHit | None:
         """Intersection of a ray with the surface, at some distance from the start [m]."""
