@@ -43,6 +43,8 @@ SLOW = (
     "dynamics/test_listed_rotors.py",
     "dynamics/test_surface_effect.py::test_compiled_it_is_the_same_flight",
     "identification/test_report.py",
+    "identification/test_smooth_cost.py::test_a_fit_ends_where_one_from_the_truth_does",
+    "identification/test_smooth_cost.py::test_more_starts_are_tried_where_all_end_far_from_the_data",
     "interfaces/animation/",
     "interfaces/cli/",
     "interfaces/figures/",
