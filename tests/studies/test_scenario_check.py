@@ -9,8 +9,8 @@ import pytest
 import springback
 from springback.scenario.scenario import scenario_from
 from springback.scenario.warnings import scenario_warnings
+from springback.studies.approach import approach_ahead
 from springback.studies.scenario_check import (
-    approach_to_wall,
     check_warnings,
     derived_numbers,
     hover_share,
@@ -85,7 +85,7 @@ def test_arms_that_differ_have_their_own_numbers_and_rigid_ones_none() -> None:
 
 
 def test_the_force_along_an_arm_is_less_by_what_friction_holds() -> None:
-    ahead, aside = approach_to_wall(scenario()), approach_to_wall(scenario("start.yaw=0"))
+    ahead, aside = approach_ahead(scenario()), approach_ahead(scenario("start.yaw=0"))
     assert ahead is not None
     assert aside is not None
     assert (ahead.arm, ahead.speed) == (1, 2.0)
@@ -114,7 +114,7 @@ def test_the_force_along_an_arm_is_less_by_what_friction_holds() -> None:
         (
             ["reference.type=run-up", "reference.speed=2", "start.position=[0, 0, 1]",
              "start.velocity=[0, 0, 0]"],
-            "the wall is 0.75 m before that",
+            "is met first, 0.75 m before that",
         ),
     ],
 )  # fmt: skip
@@ -133,7 +133,7 @@ def test_a_run_up_meets_the_wall_at_the_yaw_that_it_holds(pitch: float) -> None:
         "start.velocity=[0, 0, 0]", f"reference.pitch={pitch}",
     ]  # fmt: skip
     turned, straight = (
-        approach_to_wall(scenario(*words, *more)) for more in (["reference.yaw=45 deg"], [])
+        approach_ahead(scenario(*words, *more)) for more in (["reference.yaw=45 deg"], [])
     )
     assert turned is not None
     assert straight is not None
