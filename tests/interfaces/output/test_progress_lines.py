@@ -45,9 +45,12 @@ def test_a_line_has_what_is_known() -> None:
 
 
 def test_what_may_take_long_is_explained_once() -> None:
-    now, said = 0.0, list[str]()
-    lines = ProgressLines("reading and flying; compiled first, for 10 s", said.append, lambda: now)
-    for now in (10.0, 20.0, 30.0):
+    at, said = [0.0], list[str]()
+    lines = ProgressLines(
+        "reading and flying; compiled first, for 10 s", said.append, lambda: at[0]
+    )
+    for _ in range(3):
+        at[0] += 10.0
         lines.look()
     assert said == [
         "reading and flying; compiled first, for 10 s, after 10 s",
