@@ -3,18 +3,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import combinations
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from springback.contact.shapes import Ball, Box, Capsule, Hoop, Pole
+from springback.contact.unions import ShapeUnion
 from springback.control.reference_parameters import RunUpSettings
 from springback.scenario.fields import degrees
 from springback.scenario.scenario import Scenario
 from springback.scenario.tables import ScenarioTables
 from springback.scenario.vehicles.range_check import opening_load
 from springback.scenario.warnings import scenario_warnings
+from springback.scenario.worlds.imported import named_obstacles
 from springback.studies.approach import ObstacleApproach, approach_ahead
 from springback.vehicle.endurance import hover_time
 from springback.vehicle.parameters import Arms, Vehicle
@@ -33,7 +36,9 @@ FAR = 2.0
 PLACES = 41
 #: Share of a wall's force along an arm below which its spring hardly works (chosen).
 LEAST_ALONG = 0.5
-#: Distance between a wall and the one that a run-up is planned to, which is worth a warning
+#: Obstacles that a warning names at most (chosen).
+MOST_NAMED = 3
+#: Distance between an obstacle and the wall that a run-up is planned to, which is worth a warning
 #: (chosen: five standard deviations of the trials' walls) [m].
 WALL_OFFSET = 0.1
 
@@ -194,7 +199,7 @@ def _of_arms(vehicle: Vehicle, group: list[int]) -> Iterator[ScenarioQuantity]:
         "" if len(group) == vehicle.arm_count else f" of arm {', '.join(str(k + 1) for k in group)}"
     )
     m, k, b = (arms.at(name, j) for name in ("mass", "stiffness", "damping"))
-    free = "on its spring, the body held"
+    free = "of one arm on its spring, the body held: not of the vehicle at an obstacle"
     yield ScenarioQuantity(f"natural frequency{of}", math.sqrt(k / m) / math.tau, "Hz", free)
     yield ScenarioQuantity(f"damping ratio{of}", b / (2.0 * math.sqrt(k * m)), "", free)
     if (load := opening_load(arms, j)) > 0.0:
@@ -331,7 +336,43 @@ def _vehicle_warnings(scenario: Scenario) -> Iterator[str]:
             f"most robots have "
             f"{least:g} to {most:g}: are mass, inertia and size in the units that they say?"
         )
+    yield from _passing_warnings(scenario)
     yield from _approach_warnings(scenario)
+
+
+def _passing_warnings(scenario: Scenario) -> Iterator[str]:
+    """A sentence on the thinnest obstacles that fit between the main hull and a cage.
+
+    Only spheres about the main body and cages are looked at: further hulls may close the gap.
+    """
+    vehicle = scenario.vehicle
+    if vehicle.hulls or vehicle.hull is None or not vehicle.arms.cages:
+        return
+    arms, hull = vehicle.arms, vehicle.hull
+    ends = [math.dist(arms.place(j, 0.0), hull.offset) for j in range(vehicle.arm_count)]
+    gaps = [far - hull.radius - arms.at("cage_radius", j) for j, far in enumerate(ends)]
+    gap = max(gaps)
+    thin = sorted(one for one in _thicknesses(scenario.world.obstacles) if one[0] < gap)
+    if not thin:
+        return
+    named = [f"{name} ({thickness:.3g} m thick)" for thickness, name in thin[:MOST_NAMED]]
+    if len(thin) > MOST_NAMED:
+        named.append(f"{len(thin) - MOST_NAMED} more")
+    passed = ", ".join(str(j + 1) for j, one in enumerate(gaps) if thin[0][0] < one)
+    yield (
+        f"{' and '.join(named)} can pass between the hull and the cage of arm {passed}, "
+        f"{gap:.3g} m apart along the arm: of an arm nothing but its cage touches; give its rod "
+        "as a capsule of vehicle.hulls"
+    )
+
+
+def _thicknesses(entries: Sequence[Any]) -> Iterator[tuple[float, str]]:
+    """Least thickness of each obstacle with rods, balls or boards [m], and its name."""
+    for name, one in named_obstacles(entries):
+        parts = one.shapes if isinstance(one, ShapeUnion) else (one,)
+        rods = [part for part in parts if isinstance(part, Ball | Box | Capsule | Hoop | Pole)]
+        if rods:
+            yield 2.0 * min(part.middle_depth() for part in rods), name
 
 
 def _approach_warnings(scenario: Scenario) -> Iterator[str]:
