@@ -63,6 +63,21 @@ def test_what_is_refused(text: str, unit: str, word: str) -> None:
     assert said.endswith(f"; expected {unit or 'a plain number'}")
 
 
+@pytest.mark.parametrize(
+    ("text", "unit", "meant"),
+    [
+        ("2 mps", "m/s", "m/s"), ("5 kmh", "m/s", "km/h"), ("3 Nm", "N m", "N m"),
+        ("3 N/mmm", "N/m", "N/mm"), ("4 degs", "rad", "deg"), ("4 milimeters", "m", "meters"),
+    ],
+)  # fmt: skip
+def test_a_misspelt_unit_is_told_one_of_the_right_dimension(
+    text: str, unit: str, meant: str
+) -> None:
+    """``mps`` is more like ``ms`` than ``m/s``, but no speed is in milliseconds."""
+    with pytest.raises(UnitError, match=rf"unknown unit '.*'; did you mean {meant}\?$"):
+        read_number(text, unit)
+
+
 def test_nothing_is_evaluated() -> None:
     """Expressions that would take for ever are refused at once."""
     begun = time.perf_counter()

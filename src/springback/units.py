@@ -124,6 +124,13 @@ SYMBOLS: dict[str, UnitScale] = {
     **_PLAIN,
 }
 SYMBOLS |= {name: SYMBOLS[symbol] for name, symbol in _NAMES.items()}
+#: Common units of several symbols, to be suggested for misspelt ones.
+_COMPOSED = (
+    "m/s", "km/h", "ft/s", "m/s^2", "deg/s", "rad/s", "N/m", "N/mm", "N m", "N m/rad", "N m/deg",
+    "N s/m", "N m s/rad", "kg m^2", "g cm^2",
+)  # fmt: skip
+#: Likeness from which one of them, or of the symbols, may be meant (chosen).
+_LIKE = 0.6
 
 
 @functools.lru_cache(maxsize=256)
@@ -158,7 +165,7 @@ def _term(term: str, over: int) -> tuple[UnitScale, Fraction]:
     symbol = found["symbol"]
     unit = SYMBOLS.get(symbol)
     if unit is None:
-        near = difflib.get_close_matches(symbol, SYMBOLS, n=1, cutoff=0.6)
+        near = difflib.get_close_matches(symbol, SYMBOLS, n=1, cutoff=_LIKE)
         hint = f"; did you mean {near[0]}?" if near else ""
         raise UnitError(f"unknown unit {symbol!r}{hint}")
     power = Fraction(found["power"] or (found["raised"] or "1").translate(_RAISED))
@@ -192,7 +199,10 @@ def read_number(text: str, unit: str, *, bare: bool = False) -> float:
     try:
         scale = unit_of(given) if given else None
     except UnitError as error:
-        raise UnitError(_no_number(words, bare, str(error))) from None
+        why, near = str(error), _nearest_of(given, unit)
+        if near and why.startswith("unknown unit"):
+            why = f"unknown unit {given!r}; did you mean {near}?"
+        raise UnitError(_no_number(words, bare, why)) from None
     target = unit_of(unit)
     if scale is None:
         scale = target
@@ -203,6 +213,19 @@ def read_number(text: str, unit: str, *, bare: bool = False) -> float:
     value = _shortest(Fraction(number) * scale.size / target.size)
     degrees = scale.degrees - target.degrees
     return value * DEGREE ** float(degrees) if degrees else value
+
+
+def _nearest_of(given: str, unit: str) -> str:
+    """Unit of the dimension that is wanted, most like a misspelt one; empty if none is like it.
+
+    The unit that is asked for is preferred to others that are as like.
+    """
+    wanted = unit_of(unit).dimension
+    known = [unit, *(one for one in _COMPOSED if unit_of(one).dimension == wanted)]
+    known += [symbol for symbol, one in SYMBOLS.items() if one.dimension == wanted]
+    likeness = {one: difflib.SequenceMatcher(None, one, given).ratio() for one in known}
+    best = max(likeness, key=lambda one: likeness[one])
+    return best if likeness[best] >= _LIKE else ""
 
 
 def _shortest(exact: Fraction) -> float:

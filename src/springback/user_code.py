@@ -16,7 +16,8 @@ CODE_FORM = re.compile(r"(?P<file>.+):(?P<name>[^\W\d]\w*)\Z")
 
 
 def _code_name(value: str) -> str:
-    if not CODE_FORM.match(value) or not value.isprintable():
+    found = CODE_FORM.match(value)
+    if not found or not found["file"].endswith(".py") or not value.isprintable():
         raise problem(f"must be FILE.py:NAME (got {shown_value(value)})")
     return value
 

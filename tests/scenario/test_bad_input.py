@@ -321,7 +321,7 @@ def test_words_that_are_no_overrides(tmp_path: Path, word: str) -> None:
     """The word is quoted."""
     path = tmp_path / "scenario.toml"
     path.write_text(GOOD)
-    assert repr(word) in problem_of(path, word)
+    assert word in problem_of(path, word)
 
 
 @pytest.mark.parametrize(
@@ -445,6 +445,29 @@ def test_entries_that_are_not_there_are_counted(tmp_path: Path) -> None:
     said = problem_of(path, "start.velocty.0=2")
     assert said.endswith("unknown key 'velocty'; did you mean velocity?"), said
     assert "unknown key 'zzz'; known here: " in problem_of(path, "start.zzz.0=2")
+
+
+def test_an_obstacle_that_is_named_in_an_override_is_told_its_number(tmp_path: Path) -> None:
+    """The words before it are those of any other override at fault."""
+    path = tmp_path / "scenario.toml"
+    entries = "".join(
+        f'[[world.obstacles]]\ntype = "wall"\nname = "{name}"\ndistance = {k + 3}\nsurface = "wall"\n'
+        for k, name in enumerate(("door", "column", "table"))
+    )
+    path.write_text(f'vehicle = "arq"\n{entries}[start]\nvelocity = [1, 0, 0]\n')
+    said = problem_of(path, "world.obstacles.column.distance=5")
+    assert said == (
+        "override world.obstacles.column.distance=5: entries of world.obstacles go by number, "
+        "0 to 2: column is number 1"
+    )
+    said = problem_of(path, "world.obstacles.tabel.distance=5")
+    assert said.endswith("number, 0 to 2, not by 'tabel'; did you mean table, number 2?"), said
+    assert problem_of(path, "start.velocity.x=5") == (
+        "override start.velocity.x=5: entries of start.velocity go by number, 0 to 2"
+    )
+    assert problem_of(path, "world.obstacles.7.distance=5") == (
+        "override world.obstacles.7.distance=5: there is no entry 7; entries are 0 to 2"
+    )
 
 
 def test_a_number_may_begin_or_end_with_its_point(tmp_path: Path) -> None:

@@ -123,6 +123,10 @@ def test_reading_runs_nothing(folder: Path) -> None:
     ("lines", "said"),
     [
         (('pilot = "mine.py"',), r"flight.toml:2: pilot: must be FILE.py:NAME \(got 'mine.py'\)"),
+        (
+            ('pilot = "mine:share"',),
+            r"flight.toml:2: pilot: must be FILE.py:NAME \(got '.*/mine:sha",
+        ),
         (('pilot = "none.py:hover"',), r"none.py: there is no such file"),
         (('pilot = "mine.py:hover"',), r"mine.py: has no 'hover'; there are: .*share"),
         (('pilot = "mine.py:WALL"',), r"WALL must be a function \(time, measurement, memory\)"),
@@ -132,6 +136,17 @@ def test_reading_runs_nothing(folder: Path) -> None:
 def test_a_pilot_that_is_none_is_refused(folder: Path, lines: tuple[str], said: str) -> None:
     with pytest.raises(InputError, match=said):
         springback.fly(_file(folder, *lines))
+
+
+def test_the_name_of_a_module_is_told_the_form_that_is_wanted(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(folder)
+    with pytest.raises(InputError) as refused:
+        read_object("mine:share", "code of your own")
+    assert str(refused.value) == ("'mine:share': must be FILE.py:NAME; did you mean mine.py:share?")
+    with pytest.raises(InputError, match=r"^'other:share': must be FILE.py:NAME$"):
+        read_object("other:share", "code of your own")
 
 
 @pytest.mark.parametrize(

@@ -8,7 +8,9 @@ from typing import Any
 import pytest
 
 from builders.cases import nonempty
+from builders.forms import box_file
 from builders.pairs import two, vehicle
+from springback.contact.grids import measured_shapes
 from springback.errors import InputError
 from springback.scenario.files import read_scenario
 from springback.scenario.scenario import Scenario, scenario_from
@@ -108,6 +110,14 @@ WRONG: dict[str, tuple[dict[str, Any], str]] = {
         two(world={"obstacles": [BALL | {"motion": {"type": "free", "mass": 1.0}}]}),
         r"world\.obstacles\[0\]: cannot be combined with a second vehicle: it moves",
     ),
+    "all that move": (
+        two(world={"obstacles": [
+            BALL, BALL | {"name": "door", "motion": {"type": "free", "mass": 1.0}},
+            BALL | {"name": "rope", "motion": {"type": "free", "mass": 1.0}},
+        ]}),
+        r"world\.obstacles\[1\]: cannot be combined with a second vehicle: door moves, and so does "
+        r"world\.obstacles\[2\], rope$",
+    ),
     "the impulse law": (
         two(world={"obstacles": [BALL | {"surface": {"preset": "wall", "law": "impulse"}}]}),
         r"world\.obstacles\[0\]\.surface\.law: must not be impulse beside",
@@ -187,3 +197,17 @@ def test_warnings_tell_of_which_vehicle_they_are() -> None:
     assert scenario_warnings(scenario_from(two())) == []
     [said] = scenario_warnings(scenario_from(two({**vehicle(0.6, -1.0), "control": {}})))
     assert said.startswith("second: control is not used")
+
+
+def test_an_obstacle_that_moves_is_refused_before_grids_are_made(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """They take minutes, and the refusal does not need them."""
+    made = list[str]()
+    monkeypatch.setattr(measured_shapes, "stored_grid", lambda key, make: made.append(key))
+    table = {"type": "mesh", "file": box_file(0.41, 0.31, 0.21), "position": [3.0, 0.0, 0.0],
+             "surface": "wall"}  # fmt: skip
+    moving = BALL | {"motion": {"type": "free", "mass": 1.0}}
+    with pytest.raises(InputError, match="cannot be combined with a second vehicle: it moves"):
+        scenario_from(two(world={"obstacles": [table, moving]}))
+    assert made == []

@@ -9,8 +9,8 @@ import pytest
 import springback
 from springback.scenario.scenario import scenario_from
 from springback.scenario.warnings import scenario_warnings
+from springback.studies.approach import approach_ahead
 from springback.studies.scenario_check import (
-    approach_to_wall,
     check_warnings,
     derived_numbers,
     hover_share,
@@ -85,7 +85,7 @@ def test_arms_that_differ_have_their_own_numbers_and_rigid_ones_none() -> None:
 
 
 def test_the_force_along_an_arm_is_less_by_what_friction_holds() -> None:
-    ahead, aside = approach_to_wall(scenario()), approach_to_wall(scenario("start.yaw=0"))
+    ahead, aside = approach_ahead(scenario()), approach_ahead(scenario("start.yaw=0"))
     assert ahead is not None
     assert aside is not None
     assert (ahead.arm, ahead.speed) == (1, 2.0)
@@ -114,7 +114,7 @@ def test_the_force_along_an_arm_is_less_by_what_friction_holds() -> None:
         (
             ["reference.type=run-up", "reference.speed=2", "start.position=[0, 0, 1]",
              "start.velocity=[0, 0, 0]"],
-            "the wall is 0.75 m before that",
+            "is met first, 0.75 m before that",
         ),
     ],
 )  # fmt: skip
@@ -125,6 +125,40 @@ def test_a_warning_for_what_can_be_flown_and_is_seldom_meant(
     assert [line for line in check_warnings(scenario(*overrides)) if word in line]
 
 
+@pytest.mark.parametrize(
+    ("hull", "radius", "passes"),
+    [(0.03, 0.012, True), (0.03, 0.022, False), (0.05, 0.012, False)],
+)
+def test_a_rod_thinner_than_the_gap_beside_an_arm_is_told_to_pass(
+    hull: float, radius: float, passes: bool
+) -> None:
+    """The hull ends at 30 mm and the cage of each arm begins at 70 mm, 40 mm on."""
+    rod = {"type": "capsule", "name": "rope", "start": [1.5, 0, 0], "end": [1.5, 0, 2],
+           "radius": radius, "surface": "wall"}  # fmt: skip
+    pillar = {"type": "box", "position": [1.5, 1, 1], "size": [0.1, 0.2, 2.0], "surface": "wall"}
+    tables = {
+        "vehicle": {"preset": "arq", "hull": {"radius": hull},
+                    "arms": {"length": 0.16, "cage_radius": 0.09}},
+        "world": {"obstacles": [pillar, rod]},
+    }  # fmt: skip
+    told = [line for line in check_warnings(scenario_from(tables)) if "can pass between" in line]
+    assert len(told) == passes
+    if passes:
+        assert told[0].startswith(
+            "world.obstacles[1], rope (0.024 m thick) can pass between the hull and the cage of arm "
+            "1, 2, 3, 4, 0.04 m apart along the arm"
+        )
+    skid = {"type": "capsule", "start": [0.03, 0, 0], "end": [0.07, 0, 0], "radius": 0.004}
+    closed = {**tables, "vehicle": {**tables["vehicle"], "hulls": [skid]}}
+    assert not [x for x in check_warnings(scenario_from(closed)) if "can pass between" in x]
+
+
+def test_frequency_and_damping_are_said_to_be_of_one_arm() -> None:
+    about = {one.name: one.about for one in derived_numbers(scenario())}
+    for name in ("natural frequency", "damping ratio"):
+        assert about[name].startswith("of one arm on its spring, the body held")
+
+
 @pytest.mark.parametrize("pitch", [0.0, -0.5])
 def test_a_run_up_meets_the_wall_at_the_yaw_that_it_holds(pitch: float) -> None:
     """Not at that of the start, from which it turns away."""
@@ -133,7 +167,7 @@ def test_a_run_up_meets_the_wall_at_the_yaw_that_it_holds(pitch: float) -> None:
         "start.velocity=[0, 0, 0]", f"reference.pitch={pitch}",
     ]  # fmt: skip
     turned, straight = (
-        approach_to_wall(scenario(*words, *more)) for more in (["reference.yaw=45 deg"], [])
+        approach_ahead(scenario(*words, *more)) for more in (["reference.yaw=45 deg"], [])
     )
     assert turned is not None
     assert straight is not None

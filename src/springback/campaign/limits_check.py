@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 from pydantic import ValidationError
+from pydantic_core import PydanticCustomError
 
 from springback.campaign.design.layout import Design
 from springback.campaign.design.success import upper_limit
 from springback.errors import InputError
 from springback.scenario.presets import expand_presets
 from springback.scenario.tables import ScenarioTables
-from springback.studies.scenario_check import approach_to_wall, least_deceleration
+from springback.studies.approach import ObstacleApproach, approach_ahead
+from springback.studies.scenario_check import least_deceleration
 
 #: Measures that are at least the deceleration of the main body.
 DECELERATIONS = (
@@ -34,26 +36,25 @@ def unmet_limits(design: Design) -> list[str]:
         return []
     name, limit = min(asked, key=lambda one: one[1])
     numbers = np.unique(np.linspace(0, design.flights - 1, TRIED).astype(int)).tolist()
-    beyond = dict[int, tuple[float, ScenarioTables]]()
+    beyond = dict[int, tuple[float, ScenarioTables, ObstacleApproach]]()
     for number in numbers:
         tables = design.slice(number, number + 1).tables[0]
         try:
             scenario = ScenarioTables.model_validate(expand_presets(tables))
-        except (InputError, ValidationError):  # a row that is refused
+            approach = approach_ahead(scenario)
+        except (InputError, ValidationError, PydanticCustomError):  # a row that is refused
             continue
-        least = least_deceleration(scenario)
-        if least > limit:
-            beyond[number] = least, scenario
+        least = least_deceleration(scenario, approach)
+        if approach is not None and least > limit:
+            beyond[number] = least, scenario, approach
     if not beyond:
         return []
     worst = max(beyond, key=lambda number: beyond[number][0])
-    least, scenario = beyond[worst]
-    approach = approach_to_wall(scenario)
-    assert approach is not None  # it has a least deceleration
+    least, scenario, approach = beyond[worst]
     stroke = scenario.vehicle.arms.at("stroke", approach.arm)
     return [
         f"success asks for {name} below {limit:.4g} m/s², and in {len(beyond)} of {len(numbers)} "
         f"flights no spring can stop the body so gently within its stroke: flight {worst} meets "
-        f"the wall at {approach.speed:.3g} m/s, and with s = {1e3 * stroke:.3g} mm v²/(2 s) is "
-        f"{least:.4g} m/s²"
+        f"{approach.words}, at {approach.speed:.3g} m/s, and with s = {1e3 * stroke:.3g} mm "
+        f"v²/(2 s) is {least:.4g} m/s²"
     ]

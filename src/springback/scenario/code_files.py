@@ -128,6 +128,11 @@ def read_object(word: str, what: str, *, anew: bool = False) -> Any:
     found = CODE_FORM.match(word)
     if found is None:
         raise InputError(f"{shown_value(word)} is not {what}; write file.py:name")
+    file = Path(found["file"])
+    if file.suffix != ".py":  # the name of a module, perhaps
+        meant = Path(f"{file}.py")
+        hint = f"; did you mean {meant}:{found['name']}?" if meant.is_file() else ""
+        raise InputError(f"{shown_value(word)}: must be FILE.py:NAME{hint}")
     module = _module(found["file"], anew)
     if not hasattr(module, found["name"]):
         mine = [key for key, value in vars(module).items() if _may_be_meant(value, module)]

@@ -7,8 +7,8 @@ import tomllib
 from collections.abc import Sequence
 from typing import Any
 
-from springback.errors import InputError, shown_value
-from springback.problems import key_path, nearest_name
+from springback.errors import InputError, excerpt, shown_value
+from springback.problems import dotted_path, key_path, nearest_name
 from springback.scenario.fields import fields_of
 from springback.scenario.scenario import Scenario, expand_presets
 from springback.scenario.source_text import MOST_DEPTH, check_depth
@@ -144,11 +144,12 @@ def with_value(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
     if isinstance(head, int):
         if not isinstance(node, list) or head >= len(node):
             problem = _misspelt(word) or f"there is no entry {head}{_entry_count(node)}"
-            raise InputError(f"{shown_value(word)}: {problem}")
+            raise InputError(f"override {excerpt(word)}: {problem}")
         entry = with_value(node[head], rest, value, word) if rest else value
         return [*node[:head], entry, *node[head + 1 :]]
     if not isinstance(node, dict):
-        raise InputError(f"{shown_value(word)}: {shown_value(head)} is not inside a table")
+        problem = _by_number(node, parts, word) or f"{shown_value(head)} is not inside a table"
+        raise InputError(f"override {excerpt(word)}: {problem}")
     if not rest and isinstance(node.get(head), dict) and isinstance(value, str):
         value = _named_table(value)
     if not rest:
@@ -177,6 +178,28 @@ def _misspelt(word: str) -> str:
             return f"unknown key {shown_value(key)}{hint}"
         table = _table_of(table, key)
     return ""
+
+
+def _by_number(node: Any, parts: Sequence[Key], word: str) -> str:
+    """Problem with a name where a list wants a number, or empty.
+
+    Args:
+        node: The list, if it is one.
+        parts: The name, and the keys below it.
+        word: Override.
+    """
+    if not isinstance(node, list):
+        return ""
+    above = dotted_path(key_path(word.partition("=")[0].strip())[: -len(parts)])
+    said = f"entries of {above} go by number{_entry_count(node).replace('; entries are', ',')}"
+    names = [entry.get("name") if isinstance(entry, dict) else None for entry in node]
+    near = nearest_name(str(parts[0]), [name for name in names if isinstance(name, str)])
+    if not near:
+        return said
+    number = names.index(near)
+    if near == parts[0]:
+        return f"{said}: {near} is number {number}"
+    return f"{said}, not by {shown_value(parts[0])}; did you mean {near}, number {number}?"
 
 
 def _entry_count(node: Any) -> str:

@@ -43,6 +43,14 @@ from springback.vehicle.state import Airframe, State
 class Scenario(ScenarioTables):
     """All input of one flight, checked to be flyable."""
 
+    @model_validator(mode="before")
+    @classmethod
+    def _nothing_moves_beside_two(cls, given: Any) -> Any:
+        """Reject moving obstacles beside a second vehicle before any grid of a mesh is made."""
+        if isinstance(given, Mapping) and given.get("second") is not None:
+            _refuse_moving(given.get("world"))
+        return given
+
     @model_validator(mode="after")
     def _can_be_flown(self, info: ValidationInfo) -> Scenario:
         """Check across tables; files of the user's own are not run for it."""
@@ -132,6 +140,25 @@ class Scenario(ScenarioTables):
     def start_state(self) -> State:
         """State at time 0, arms at their free length."""
         return start_state(self.start, self.vehicle, self.flight_model(), self.parts)
+
+
+def _refuse_moving(world: Any) -> None:
+    """Reject raw obstacles that move, all in one sentence, each with its name."""
+    entries = world.get("obstacles") if isinstance(world, Mapping) else None
+    moving = [
+        (f"world.obstacles[{k}]", f", {name}" if isinstance(name := one.get("name"), str) else "")
+        for k, one in enumerate(entries if isinstance(entries, list | tuple) else ())
+        if isinstance(one, Mapping) and one.get("motion") is not None
+    ]
+    if not moving:
+        return
+    (first, name), *others = moving
+    also = " and ".join(place + called for place, called in others)
+    raise problem(
+        f"cannot be combined with a second vehicle: {name.removeprefix(', ') or 'it'} moves"
+        + (f", and so {'does' if len(others) == 1 else 'do'} {also}" if others else ""),
+        first,
+    )
 
 
 def _scenario_beside(first: Scenario) -> Scenario:

@@ -3,21 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import combinations
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.contact.parameters import PlaneSettings
-from springback.control.position import heading
+from springback.contact.shapes import Ball, Box, Capsule, Hoop, Pole
+from springback.contact.unions import ShapeUnion
 from springback.control.reference_parameters import RunUpSettings
-from springback.kernels.vectors import Vec, quaternion_of, rotation
 from springback.scenario.fields import degrees
 from springback.scenario.scenario import Scenario
 from springback.scenario.tables import ScenarioTables
 from springback.scenario.vehicles.range_check import opening_load
 from springback.scenario.warnings import scenario_warnings
+from springback.scenario.worlds.imported import named_obstacles
+from springback.studies.approach import ObstacleApproach, approach_ahead
 from springback.vehicle.endurance import hover_time
 from springback.vehicle.parameters import Arms, Vehicle
 from springback.vehicle.placed.balance import hover_balance
@@ -35,7 +36,9 @@ FAR = 2.0
 PLACES = 41
 #: Share of a wall's force along an arm below which its spring hardly works (chosen).
 LEAST_ALONG = 0.5
-#: Distance between a wall and the one that a run-up is planned to, which is worth a warning
+#: Obstacles that a warning names at most (chosen).
+MOST_NAMED = 3
+#: Distance between an obstacle and the wall that a run-up is planned to, which is worth a warning
 #: (chosen: five standard deviations of the trials' walls) [m].
 WALL_OFFSET = 0.1
 
@@ -50,38 +53,26 @@ class ScenarioQuantity(NamedTuple):
     about: str
 
 
-class WallApproach(NamedTuple):
-    """Approach of a vehicle to the first wall or mat of its scenario."""
-
-    speed: float
-    """Into the wall [m/s]."""
-    arm: int
-    """Index of the arm whose cage is foremost."""
-    angle: float
-    """Between that arm and the direction into the wall [rad]."""
-    along: float
-    """Share of the wall's normal force that presses the arm, if its cage slides inwards."""
-
-
 def derived_numbers(scenario: Scenario) -> list[ScenarioQuantity]:
-    """Numbers that follow from a scenario's vehicle, and from its approach to a wall."""
+    """Numbers that follow from a scenario's vehicle, and from its approach to an obstacle."""
     vehicle, found = scenario.vehicle, [*_masses(scenario)]
     for group in _alike(vehicle.arms):
         found += _of_arms(vehicle, group)
     found += _gaps(vehicle)
-    if (approach := approach_to_wall(scenario)) is not None:
+    if (approach := approach_ahead(scenario)) is not None:
+        when = "at the end of the run-up" if _runs_up(scenario) else "at the start"
         found.append(ScenarioQuantity(
-            "speed into the wall", approach.speed, "m/s", "of the main body, at the start or as "
-            "planned by a run-up",
+            "approach speed", approach.speed, "m/s", f"of the main body {when}, along the normal "
+            f"of {approach.words}: met first, {approach.way:.3g} m straight on",
         ))  # fmt: skip
-        if not scenario.vehicle.arms.is_planar:  # what the path of a joint takes is not told
+        if not vehicle.arms.is_planar or not approach.is_level:  # paths of joints are not told
             return found
         found.append(ScenarioQuantity(
             "force along the foremost arm", approach.along, "",
-            "share of the wall's normal force, cos θ − μ sin θ; "
+            "share of that obstacle's normal force, cos θ − μ sin θ; "
             f"arm {approach.arm + 1} at θ = {degrees(approach.angle):.3g} deg to the normal",
         ))  # fmt: skip
-        least = least_deceleration(scenario)
+        least = least_deceleration(scenario, approach)
         if least > 0.0:
             found.append(ScenarioQuantity(
                 "least peak deceleration", least, "m/s^2", "v²/(2 s): to stop from this speed "
@@ -90,18 +81,26 @@ def derived_numbers(scenario: Scenario) -> list[ScenarioQuantity]:
     return found
 
 
-def least_deceleration(scenario: ScenarioTables) -> float:
-    """Least peak deceleration with which the first wall's foremost arm can stop the body [m/s²].
+def least_deceleration(scenario: ScenarioTables, approach: ObstacleApproach | None) -> float:
+    """Least peak deceleration with which the foremost arm can stop the body [m/s²].
 
     v²/(2 s), that of a constant force over the whole stroke s; the surface is taken as hard.  0 if
-    no compliant arm meets a wall ahead.
+    no compliant arm meets an obstacle ahead.
+
+    Args:
+        scenario: Any.
+        approach: Of its vehicle, as `springback.studies.approach.approach_ahead` finds it.
     """
-    approach = approach_to_wall(scenario)
     arms = scenario.vehicle.arms
-    if approach is None or not arms.is_planar or not arms.at("compliant", approach.arm):
+    if approach is None or not approach.is_level or not arms.is_planar:
         return 0.0
-    speed = max(approach.speed, 0.0)
-    return float(speed * speed / (2.0 * scenario.vehicle.arms.at("stroke", approach.arm)))
+    if not arms.at("compliant", approach.arm):
+        return 0.0
+    return float(approach.speed**2 / (2.0 * arms.at("stroke", approach.arm)))
+
+
+def _runs_up(scenario: ScenarioTables) -> bool:
+    return isinstance(scenario.reference, RunUpSettings)
 
 
 def check_warnings(scenario: Scenario) -> list[str]:
@@ -200,7 +199,7 @@ def _of_arms(vehicle: Vehicle, group: list[int]) -> Iterator[ScenarioQuantity]:
         "" if len(group) == vehicle.arm_count else f" of arm {', '.join(str(k + 1) for k in group)}"
     )
     m, k, b = (arms.at(name, j) for name in ("mass", "stiffness", "damping"))
-    free = "on its spring, the body held"
+    free = "of one arm on its spring, the body held: not of the vehicle at an obstacle"
     yield ScenarioQuantity(f"natural frequency{of}", math.sqrt(k / m) / math.tau, "Hz", free)
     yield ScenarioQuantity(f"damping ratio{of}", b / (2.0 * math.sqrt(k * m)), "", free)
     if (load := opening_load(arms, j)) > 0.0:
@@ -294,33 +293,7 @@ def _touching_share(arms: Arms, i: int, j: int) -> float | None:
     return high
 
 
-# -- the approach ---------------------------------------------------------------------------------
-
-
-def approach_to_wall(scenario: ScenarioTables) -> WallApproach | None:
-    """Approach to the first wall or mat at the attitude of the start; None if there is none."""
-    wall = _first_wall(scenario)
-    if wall is None:
-        return None
-    start, arms, reference = scenario.start, scenario.vehicle.arms, scenario.reference
-    into = wall.plane().normal * -1.0
-    speed, attitude = Vec(*start.velocity) @ into, start.attitude()
-    if isinstance(reference, RunUpSettings):
-        tilt = Vec(math.sin(reference.pitch), 0.0, math.cos(reference.pitch))
-        speed, attitude = reference.speed, quaternion_of(heading(tilt, reference.yaw).axes)
-    ahead = into @ rotation(attitude)  # in body axes
-    angles = [math.atan2(ahead.y, ahead.x) - direction for direction in arms.directions]
-    reaches = [arms.at("length", j) * math.cos(angle) for j, angle in enumerate(angles)]
-    first = max(range(len(reaches)), key=lambda j: reaches[j] + arms.at("cage_radius", j))
-    angle = abs(math.remainder(angles[first], math.tau))
-    friction = wall.surface.friction if wall.surface.friction_axes == "both" else 0.0
-    along = math.cos(angle) - friction * math.sin(angle)
-    return WallApproach(float(speed), first, angle, along)
-
-
-def _first_wall(scenario: ScenarioTables) -> PlaneSettings | None:
-    walls = (one for one in scenario.world.obstacles if isinstance(one, PlaneSettings))
-    return next(walls, None)
+# -- warnings -------------------------------------------------------------------------------------
 
 
 def _vehicle_warnings(scenario: Scenario) -> Iterator[str]:
@@ -363,29 +336,72 @@ def _vehicle_warnings(scenario: Scenario) -> Iterator[str]:
             f"most robots have "
             f"{least:g} to {most:g}: are mass, inertia and size in the units that they say?"
         )
-    wall, reference = _first_wall(scenario), scenario.reference
-    if wall is not None and isinstance(reference, RunUpSettings):
-        face = wall.plane()
-        off = Vec(reference.wall_distance, *reference.start[1:]) @ face.normal - face.offset
+    yield from _passing_warnings(scenario)
+    yield from _approach_warnings(scenario)
+
+
+def _passing_warnings(scenario: Scenario) -> Iterator[str]:
+    """A sentence on the thinnest obstacles that fit between the main hull and a cage.
+
+    Only spheres about the main body and cages are looked at: further hulls may close the gap.
+    """
+    vehicle = scenario.vehicle
+    if vehicle.hulls or vehicle.hull is None or not vehicle.arms.cages:
+        return
+    arms, hull = vehicle.arms, vehicle.hull
+    ends = [math.dist(arms.place(j, 0.0), hull.offset) for j in range(vehicle.arm_count)]
+    gaps = [far - hull.radius - arms.at("cage_radius", j) for j, far in enumerate(ends)]
+    gap = max(gaps)
+    thin = sorted(one for one in _thicknesses(scenario.world.obstacles) if one[0] < gap)
+    if not thin:
+        return
+    named = [f"{name} ({thickness:.3g} m thick)" for thickness, name in thin[:MOST_NAMED]]
+    if len(thin) > MOST_NAMED:
+        named.append(f"{len(thin) - MOST_NAMED} more")
+    passed = ", ".join(str(j + 1) for j, one in enumerate(gaps) if thin[0][0] < one)
+    yield (
+        f"{' and '.join(named)} can pass between the hull and the cage of arm {passed}, "
+        f"{gap:.3g} m apart along the arm: of an arm nothing but its cage touches; give its rod "
+        "as a capsule of vehicle.hulls"
+    )
+
+
+def _thicknesses(entries: Sequence[Any]) -> Iterator[tuple[float, str]]:
+    """Least thickness of each obstacle with rods, balls or boards [m], and its name."""
+    for name, one in named_obstacles(entries):
+        parts = one.shapes if isinstance(one, ShapeUnion) else (one,)
+        rods = [part for part in parts if isinstance(part, Ball | Box | Capsule | Hoop | Pole)]
+        if rods:
+            yield 2.0 * min(part.middle_depth() for part in rods), name
+
+
+def _approach_warnings(scenario: Scenario) -> Iterator[str]:
+    """Sentences on what is met first, straight on."""
+    vehicle, reference = scenario.vehicle, scenario.reference
+    if (approach := approach_ahead(scenario)) is None:
+        return
+    if isinstance(reference, RunUpSettings):
+        off = approach.place.x - reference.wall_distance
         if abs(off) > WALL_OFFSET:
             yield (
-                f"reference.wall_distance is {reference.wall_distance:g} m, and the wall is "
-                f"{abs(off):.3g} m {'behind' if off > 0.0 else 'before'} that: the run-up's speed "
+                f"reference.wall_distance is {reference.wall_distance:g} m, and "
+                f"{approach.words}, is met first, {abs(off):.3g} m "
+                f"{'behind' if off > 0.0 else 'before'} that: the run-up's speed "
                 "and pitch are those planned at wall_distance"
             )
-    approach = approach_to_wall(scenario)
-    if approach is None or not vehicle.arms.is_planar or approach.speed <= 0.0:
+    if not vehicle.arms.is_planar or not approach.is_level:
         return
     if not vehicle.arms.at("compliant", approach.arm):
         return
     if approach.along < LEAST_ALONG:
         yield (
-            f"arm {approach.arm + 1} meets the wall at {degrees(approach.angle):.3g} deg, and "
-            f"with its friction {100.0 * max(approach.along, 0.0):.2g} % of the force presses the "
-            "arm: it hardly slides; yaw it to have one cage straight ahead"
+            f"arm {approach.arm + 1} meets {approach.words}, at {degrees(approach.angle):.3g} deg, "
+            f"and with its friction {100.0 * max(approach.along, 0.0):.2g} % of the force presses "
+            "the arm: it hardly slides; yaw it to have one cage straight ahead"
         )
     elif vehicle.arms.end_stops and approach.speed > (most := stop_speed(vehicle, approach.arm)):
         yield (
-            f"at {approach.speed:g} m/s the stroke of arm {approach.arm + 1} is used up, by an "
-            f"estimate from {most:.3g} m/s on; v²/(2 s) is {least_deceleration(scenario):.4g} m/s²"
+            f"at {approach.speed:.3g} m/s into {approach.words}, the stroke of arm "
+            f"{approach.arm + 1} is used up, by an estimate from {most:.3g} m/s on; v²/(2 s) is "
+            f"{least_deceleration(scenario, approach):.4g} m/s²"
         )

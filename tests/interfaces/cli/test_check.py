@@ -24,7 +24,7 @@ def test_a_scenario_shows_numbers_and_warnings() -> None:
     done = check(str(EXAMPLES / "own_vehicle.toml"), "start.yaw=0")
     assert "natural frequency" in done.stdout
     assert "43.59 Hz" in done.stdout
-    assert "warning: arm 1 meets the wall at 45 deg" in done.stderr
+    assert "warning: arm 1 meets world.obstacles[0], a wall, at 45 deg" in done.stderr
     assert "can be flown" in done.stderr
 
 
@@ -149,7 +149,10 @@ def test_a_plan_says_which_limit_no_spring_can_keep_to(tmp_path: Path) -> None:
     )
     said = check(str(plan)).stderr
     assert "below 98.07 m/s², and in 1 of 3 flights no spring can stop the body so gently" in said
-    assert "flight 2 meets the wall at 3 m/s, and with s = 35 mm v²/(2 s) is 128.6 m/s²" in said
+    assert (
+        "flight 2 meets world.obstacles[0], a wall, at 3 m/s, and with s = 35 mm v²/(2 s) is 128.6 m/s²"
+        in said
+    )
     for words in ("< 128.7 m/s^2", "> 10 gn"):
         condition = f'success=["impact_peak_specific_force {words}"]'
         assert "no spring" not in check(str(plan), condition).stderr

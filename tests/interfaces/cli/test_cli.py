@@ -11,6 +11,7 @@ import duckdb
 import pytest
 from click.testing import CliRunner
 
+from builders.forms import box_file
 from builders.interrupts import heed_interrupts
 from builders.missing import needs
 from springback.errors import InputError
@@ -85,6 +86,25 @@ def test_an_error_is_json_where_the_result_would_be(folder: Path) -> None:
         done = run(*words, cwd=folder)
         assert done.returncode == 2
         assert [one["message"] for one in json.loads(done.stdout)["problems"]] == [said]
+
+
+def test_what_is_misused_is_told_in_one_line(folder: Path) -> None:
+    """Warnings of a scenario are not printed before the folder is known to be one."""
+    coarse = f'[[world.obstacles]]\ntype = "mesh"\nfile = "{box_file(0.04, 0.8, 0.8)}"\n'
+    coarse += 'cell = 0.028\nposition = [5, 0, 1]\nsurface = "wall"\n'
+    (folder / "t.toml").write_text(SCENARIO + coarse)
+    assert "are coarse for a mesh" in run("check", "t.toml", cwd=folder).stderr
+    for words, said in (
+        (("fyl",), "No such command 'fyl'."),
+        (("fly", "s.toml"), "Missing option '--out'. See "),
+        (("fly", "t.toml", "--out", "s.toml"), "s.toml: is a file, not a folder"),
+    ):
+        done = run(*words, cwd=folder)
+        assert done.returncode == 2
+        assert done.stdout == ""
+        [line] = done.stderr.splitlines()
+        assert line.startswith("error: ")
+        assert said in line
 
 
 def test_fly_writes_summary_trajectory_and_figures(folder: Path) -> None:

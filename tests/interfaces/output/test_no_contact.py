@@ -85,6 +85,26 @@ def test_a_ball_that_misses_says_how_near_it_came_and_what_to_change() -> None:
     assert "s, the end; fly longer (simulation.duration), or" in untouched_flight(_passed_by(0.1))
 
 
+def test_the_nearest_is_named_though_another_moves() -> None:
+    """Keys are named that the motion has, and that the obstacle has: a rod has no position."""
+    far = {**BALL, "position": [4.0, 3.0, 1.0], "motion": {"type": "free", "mass": 1.0}}
+    post = {"type": "box", "name": "post", "position": [1.1, 0, 1], "size": [0.2, 1, 4],
+            "surface": "wall"}  # fmt: skip
+    rod = {"type": "capsule", "name": "rod", "start": [0.7, 0, 1], "end": [0.7, 0, 2],
+           "radius": 0.02, "surface": "wall", "motion": {"type": "free", "mass": 1.0}}  # fmt: skip
+    flight = _passed_by(0.1, world={"obstacles": [far, post]})
+    away = flight.gap(1).min()
+    line = untouched_flight(flight)
+    assert away < flight.gap(0).min()
+    assert f"): world.obstacles[1], post, was nearest, {away:.3g} m away at" in line
+    assert "start nearer to an obstacle (start.position)" in line
+    assert "motion" not in line
+    line = untouched_flight(_passed_by(0.1, world={"obstacles": [far, post, rod]}))
+    assert "): world.obstacles[2], rod, was nearest, " in line
+    assert "where it starts (world.obstacles[2].start, world.obstacles[2].end)" in line
+    assert "how it moves" not in line
+
+
 def test_a_wall_that_stays_beyond_its_reach_is_told_of() -> None:
     vehicle = {"preset": "arq", "propulsion": {"surface_effect": {"wall_suction": 0.09}}}
     far = {**SHORT, "vehicle": vehicle, "start": {"position": [0.0, 0.0, 1.0]}, "thrust": 0.0}

@@ -44,6 +44,21 @@ def test_a_line_has_what_is_known() -> None:
     assert said == ["drawing, after 12 s", "drawing: the last page, after 24 s"]
 
 
+def test_what_may_take_long_is_explained_once() -> None:
+    at, said = [0.0], list[str]()
+    lines = ProgressLines(
+        "reading and flying; compiled first, for 10 s", said.append, lambda: at[0]
+    )
+    for _ in range(3):
+        at[0] += 10.0
+        lines.look()
+    assert said == [
+        "reading and flying; compiled first, for 10 s, after 10 s",
+        "reading and flying, after 20 s",
+        "reading and flying, after 30 s",
+    ]
+
+
 @pytest.mark.parametrize("how", ["progress_bar", "progress_in_words", "spinner"])
 def test_a_task_that_reports_nothing_is_not_silent(
     how: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]

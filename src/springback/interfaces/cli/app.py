@@ -71,10 +71,10 @@ def main() -> None:
     except KeyboardInterrupt:
         _interrupted()
     except click.ClickException as error:
-        if not _wants_json():
+        if type(error).__name__ == "NoArgsIsHelpError":  # no word was given: all are listed
             error.show()
             sys.exit(2)
-        _refuse([" ".join(error.format_message().split())])
+        _refuse([" ".join(error.format_message().split()) + _where_to_look(error)])
     except Exception as error:
         if interrupts.is_interrupted():  # and any error it caused in a library
             _interrupted()
@@ -83,6 +83,14 @@ def main() -> None:
             raise
         say(f"error: {said}")
         sys.exit(1)
+
+
+def _where_to_look(error: click.ClickException) -> str:
+    """Command that tells what a misused one takes; empty if that is known, or wanted as JSON."""
+    context = error.ctx if isinstance(error, click.UsageError) else None
+    if context is None or "id you mean" in error.format_message() or _wants_json():
+        return ""
+    return f" See {context.command_path} --help"
 
 
 def _wants_json() -> bool:

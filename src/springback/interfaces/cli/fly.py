@@ -110,9 +110,9 @@ def fly(
             raise InputError(f"--{_OPTIONS.get(name, name)}: needs --against")
     own = read_pilot(pilot) if pilot else None
     ready = read_scenario(scenario, overrides, pilot=own is not None)
-    for sentence in scenario_warnings(ready, own=own is not None or ready.pilot is not None):
-        say(f"warning: {sentence}")
     with output.folder(FLIGHT_FILES) as folder:
+        for sentence in scenario_warnings(ready, own=own is not None or ready.pilot is not None):
+            say(f"warning: {sentence}")
         with output.spinner(FIRST):
             with (
                 as_input(scenario, overrides),

@@ -23,12 +23,13 @@ _TO_CHANGE = {
 }
 """By whether a pilot flies."""
 _WAYS = {
-    "constant": "velocity", "free": "velocity", "sine": "amplitude", "table": "position",
-    "pendulum": "angular_velocity", "hinge": "turning",
+    "constant": ("velocity", "turning"), "sine": ("amplitude", "swing"),
+    "table": ("position", "angle"), "free": ("velocity", "angular_velocity"),
+    "pendulum": ("angular_velocity",), "hinge": ("turning",),
 }  # fmt: skip
 """What decides where an obstacle moves to, by the type of its motion."""
-#: Most obstacles whose distances are asked for, and instants of a flight at which (chosen: 1 s).
-MOST_ASKED, MOST_INSTANTS = 8, 50_000
+#: Most instants of a flight, times obstacles, at which distances are asked for (chosen: 1 s).
+MOST_ASKED = 400_000
 
 
 class NearestApproach(NamedTuple):
@@ -55,7 +56,7 @@ def nearest_approach(flight: Flight, among: Iterable[int]) -> NearestApproach | 
         None if it is unknown: the flight has no trajectory, or too much is asked for.
     """
     asked = list(among)
-    if not 0 < len(asked) <= MOST_ASKED or len(flight.t) > MOST_INSTANTS:
+    if not 0 < len(asked) * len(flight.t) <= MOST_ASKED:
         return None
     kinds = [entry.type for entry in flight.scenario.world.obstacles]
     found = []
@@ -83,8 +84,7 @@ def untouched_flight(flight: Flight, own: bool = False) -> str:
         return ""
     entries = s.world.obstacles
     solid = [k for k, entry in enumerate(entries) if entry.type != "ground"]
-    moving = [k for k in solid if getattr(entries[k], "motion", None) is not None]
-    near = nearest_approach(flight, moving or solid)
+    near = nearest_approach(flight, solid)
     said, advice = "", _TO_CHANGE[own or s.reference is not None or s.pilot is not None]
     if near is not None:
         name = entries[near.obstacle].name
@@ -93,21 +93,28 @@ def untouched_flight(flight: Flight, own: bool = False) -> str:
             f"world.obstacles[{near.obstacle}]{called} was nearest, {near.distance:.3g} m away at "
             f"{near.time:.3g} s{', the end' if near.is_last else ''}; "
         )
-    if moving:
-        at = moving[0] if near is None else near.obstacle
-        advice = _to_move(at, entries[at], near is not None and near.is_last)
+        if getattr(entries[near.obstacle], "motion", None) is not None:
+            advice = _to_move(near.obstacle, entries[near.obstacle], near.is_last)
     return f"nothing was touched (no_contact): {said}{advice}"
 
 
 def _to_move(number: int, entry: Any, comes_nearer: bool) -> str:
     """What to change for an obstacle that moves to meet the vehicle."""
-    path = f"world.obstacles[{number}]"
-    place = "distance" if getattr(entry, "distance", None) is not None else "position"
-    start = f"where it starts ({path}.{place})"
-    way = f"how it moves ({path}.motion.{_WAYS[entry.motion.type]})"
+    path, motion = f"world.obstacles[{number}]", entry.motion
+    given = [key for key in ("distance", "position") if getattr(entry, key, None) is not None]
+    keys = given[:1] or ["start", "end"]  # of a capsule
+    start = f"where it starts ({_paths(path, keys)})"
+    fields = type(motion).model_fields
+    moved = [key for key in _WAYS[motion.type] if getattr(motion, key) != fields[key].default]
+    way = f"how it moves ({_paths(f'{path}.motion', moved)})" if moved else ""
     if comes_nearer:
-        return f"fly longer (simulation.duration), or change {start} or {way}"
-    return f"change {start}, {way} or where the vehicle is (start.position), {_LONGER}"
+        return f"fly longer (simulation.duration), or change {start}{' or ' if way else ''}{way}"
+    own = "where the vehicle is (start.position)"
+    return f"change {start}{', ' if way else ''}{way} or {own}, {_LONGER}"
+
+
+def _paths(table: str, keys: Iterable[str]) -> str:
+    return ", ".join(f"{table}.{key}" for key in keys)
 
 
 def idle_suction(flight: Flight) -> str:

@@ -22,7 +22,7 @@ class ProgressLines:
         """Begin a task.
 
         Args:
-            label: Name of the task.
+            label: Name of the task; what follows a semicolon is said once.
             say: Prints a line.
             clock: Time [s].
         """
@@ -49,6 +49,7 @@ class ProgressLines:
         said = ", ".join(part for part in (share, self._doing) if part)
         after = f"after {now - self._begun:.0f} s"
         self._say(f"{self.label}: {said}, {after}" if said else f"{self.label}, {after}")
+        self.label = self.label.partition(";")[0]
 
     @contextmanager
     def looking(self) -> Iterator[None]:

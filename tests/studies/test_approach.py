@@ -1,0 +1,101 @@
+"""The obstacle that `springback check` says is met first, straight on from the start."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import pytest
+
+from springback.scenario.scenario import scenario_from
+from springback.studies.approach import approach_ahead
+from springback.studies.scenario_check import check_warnings, derived_numbers
+
+#: A room with its ceiling listed first, a column in it and a table beside.
+ROOM = [
+    {"type": "ground", "surface": "wall"},
+    {"type": "wall", "name": "ceiling", "position": [0, 0, 3], "normal": [0, 0, -1],
+     "surface": "wall"},
+    {"type": "wall", "name": "east wall", "position": [6, 0, 0], "normal": [-1, 0, 0],
+     "surface": "wall"},
+    {"type": "pole", "name": "column", "position": [2.6, -1.2, 0], "radius": 0.06, "height": 3.0,
+     "surface": "wall"},
+    {"type": "box", "name": "table", "position": [2.6, 1.0, 0.4], "size": [1, 1, 0.8],
+     "surface": "wall", "motion": {"type": "constant", "velocity": [0, 0, 0]}},
+]  # fmt: skip
+FORWARDS = [2.0, 0.0, 0.0]
+
+
+def scenario(position: Any, velocity: Any, yaw: float = 0.0, **more: Any) -> Any:
+    start = {"position": position, "velocity": velocity, "yaw": yaw}
+    return scenario_from({"vehicle": "arq", "start": start, "world": {"obstacles": ROOM}, **more})
+
+
+@pytest.mark.parametrize(
+    ("position", "velocity", "met", "normal"),
+    [
+        ([0.8, 0.0, 1.2], FORWARDS, "world.obstacles[2], east wall", 1.0),
+        ([0.8, 0.0, 1.2], [1.0, 0.0, 2.0], "world.obstacles[1], ceiling", 2.0 / math.sqrt(5.0)),
+        ([0.8, 0.0, 1.2], [0.0, 0.0, -1.0], "world.obstacles[0], the ground", 1.0),
+        ([0.8, 1.0, 0.5], FORWARDS, "world.obstacles[4], table", 1.0),
+        ([0.8, 1.0, 1.2], FORWARDS, "world.obstacles[2], east wall", 1.0),  # over the table
+        ([0.8, 0.0, 0.07], FORWARDS, "world.obstacles[2], east wall", 1.0),  # along the ground
+    ],
+)
+def test_what_is_met_first_is_named_with_the_speed_into_it(
+    position: Any, velocity: Any, met: str, normal: float
+) -> None:
+    found = approach_ahead(scenario(position, velocity))
+    assert found is not None
+    assert found.words == met
+    assert found.speed == pytest.approx(math.hypot(*velocity) * normal, abs=1e-5)
+    [speed] = [
+        x for x in derived_numbers(scenario(position, velocity)) if x.name == "approach speed"
+    ]
+    assert met in speed.about
+    assert speed.value == found.speed
+
+
+def test_a_cage_straight_ahead_meets_a_column_at_its_face() -> None:
+    """The way of the body is what its cage leaves of the distance to the column's face."""
+    given = scenario([0.8, -1.2, 1.2], FORWARDS, yaw=math.pi / 4)
+    found, arms = approach_ahead(given), given.vehicle.arms
+    assert found is not None
+    reach = arms.at("length", 0) + arms.at("cage_radius", 0)
+    assert found.words.endswith("column")
+    assert found.way == pytest.approx(2.54 - 0.8 - reach, abs=1e-5)
+    assert tuple(found.place) == pytest.approx((2.54, -1.2, 1.2), abs=1e-4)
+    assert found.along == pytest.approx(1.0, abs=1e-4)
+    assert found.is_level
+
+
+@pytest.mark.parametrize("velocity", [[0.0, 0.0, 0.0], [-1.0, 0.0, 0.0]])
+def test_nothing_is_said_where_nothing_is_met(velocity: Any) -> None:
+    given = scenario([0.8, 0.0, 1.2], velocity)
+    assert approach_ahead(given) is None
+    names = [one.name for one in derived_numbers(given)]
+    assert not {"approach speed", "force along the foremost arm"} & set(names)
+    assert not [line for line in check_warnings(given) if "met first" in line or "meets" in line]
+
+
+def test_from_above_no_arm_is_foremost() -> None:
+    given = scenario([0.8, 0.0, 1.2], [0.0, 0.0, -1.0])
+    found = approach_ahead(given)
+    assert found is not None
+    assert not found.is_level
+    names = [one.name for one in derived_numbers(given)]
+    assert "approach speed" in names
+    assert "force along the foremost arm" not in names
+
+
+@pytest.mark.parametrize(("distance", "off"), [(2.54, ""), (3.0, "0.46 m before that")])
+def test_a_run_up_is_told_of_the_obstacle_that_is_ahead_of_it(distance: float, off: str) -> None:
+    """Not of the ceiling, which is the first wall of the list."""
+    run_up = {
+        "type": "run-up", "speed": 2.0, "wall_distance": distance, "start": [0.8, -1.2, 1.2],
+        "yaw": math.pi / 4,
+    }  # fmt: skip
+    given = scenario([0.8, -1.2, 1.2], [0.0, 0.0, 0.0], reference=run_up)
+    told = [line for line in check_warnings(given) if "wall_distance" in line]
+    assert len(told) == bool(off)
+    assert all("world.obstacles[3], column, is met first, 0.46 m before that" in x for x in told)
