@@ -166,7 +166,7 @@ def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> 
 
 def _report(flown: Any, output: Output) -> None:
     from springback.interfaces.output.no_contact import (
-        pierced_line,
+        pierced_lines,
         pressing_line,
         untouched_line,
     )
@@ -176,8 +176,7 @@ def _report(flown: Any, output: Output) -> None:
     answer = flown.query(sql)
     data = {"folder": str(output.out), "flights": flown.done, "outcomes": answer.as_dicts()}
     output.print(data, as_text(answer.columns, answer.rows))
-    said = (say(flown) for say in (untouched_line, pressing_line, pierced_line))
-    for line in filter(None, said):
+    for line in filter(None, (untouched_line(flown), pressing_line(flown), *pierced_lines(flown))):
         output.note(line)
     output.note(f"{flown.done} flights in {output.out}; see springback summary {output.out}")
 
@@ -352,7 +351,8 @@ def refly(folder: Path, row: int, output: Output) -> None:
 )  # fmt: skip
 @click.option(
     "--by", "fields", multiple=True, metavar="FIELD",
-    help="Field, or two with a comma, of the limits; without --limit outcomes by its levels.",
+    help="Field, or two with a comma, of the limits; without --limit outcomes and measures by its "
+    "levels; also outcome or first_obstacle, what was touched first.",
 )  # fmt: skip
 @click.option(
     "--share", type=float,
@@ -396,6 +396,7 @@ def summary(
     springback summary results --out page --measure impact_peak_acceleration
     springback summary results --by stiffness --limit "impact_peak_acceleration < 300 m/s^2"
     springback summary results --by surface --where "speed > 3 m/s"
+    springback summary results --by first_obstacle
     """
     from springback.campaign.access import Campaign
     from springback.campaign.analysis.levels import field_summary, fields_of_words
