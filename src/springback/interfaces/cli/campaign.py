@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import shlex
 import sys
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -23,14 +22,11 @@ from springback.interfaces.cli.common import (
 from springback.interfaces.cli.completion import ScenarioPath, complete_setting
 from springback.interfaces.output import interrupts
 from springback.interfaces.output.plain_text import plain_text
+from springback.interfaces.output.progress_lines import CampaignLines
 
 if TYPE_CHECKING:
     from springback.campaign.access import Campaign
     from springback.campaign.running import CampaignProgress
-
-WAIT = "; new kinds of flight are compiled first, for a minute"
-BETWEEN_LINES = 10.0
-"""Seconds between two lines of progress without a terminal."""
 
 
 @click.command()
@@ -193,14 +189,9 @@ def _progress(
         with _bar(console) as both:
             yield both
         return
-    last = [-BETWEEN_LINES]
-
-    def show(now: CampaignProgress) -> None:
-        if time.monotonic() - last[0] >= BETWEEN_LINES or now.done == now.flights:
-            last[0] = time.monotonic()
-            output.note(now.sentence() + ("" if now.rate or now.done == now.flights else WAIT))
-
-    yield show, say
+    lines = CampaignLines(output.note)
+    with lines.looking():
+        yield lines.show, say
 
 
 @contextlib.contextmanager
@@ -212,16 +203,23 @@ def _bar(
 
     columns = (BarColumn(bar_width=24), TextColumn("{task.description}"), TimeElapsedColumn())
     with Bars(*columns, console=console, transient=True) as bars:
-        task = bars.add_task(f"starting{WAIT}", total=1)
+        task = bars.add_task("starting", total=1)
+
+        def tell(text: str) -> None:
+            bars.update(task, description=text)
+
+        lines = CampaignLines(tell)
 
         def show(now: CampaignProgress) -> None:
-            said = now.sentence() if now.rate else None
+            said = now.sentence() + lines.wait(now)
+            lines.show(now)
             bars.update(task, completed=now.done, total=now.flights, description=said)
 
         def remark(text: str) -> None:
             console.print(plain_text(text), markup=False, highlight=False)
 
-        yield show, remark
+        with lines.looking():
+            yield show, remark
 
 
 def _print_cost(design: Any, workers: int | None, output: Output) -> None:
