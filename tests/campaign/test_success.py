@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
+import duckdb
 import pytest
 
 from builders.campaign_folders import filled
@@ -11,6 +13,12 @@ from builders.plans import plan
 from springback.campaign.access import Campaign
 from springback.campaign.design.layout import lay_out
 from springback.campaign.design.plan import read_plan
+from springback.campaign.design.success import (
+    alternatives,
+    condition_in_words,
+    upper_limit,
+    word_literal,
+)
 from springback.campaign.plan_check import check_conditions
 from springback.errors import InputError
 
@@ -31,6 +39,50 @@ def test_conditions_in_words_choose_the_rows_that_they_name(tmp_path: Path) -> N
         )  # fmt: skip
         assert row["success"] == (None if row["outcome"] == "refused" else int(met))
     assert {row["success"] for row in rows} == {None, 0, 1}
+
+
+@pytest.mark.parametrize(
+    ("text", "sql"),
+    [
+        ("not (surface = 'wall' and touch_speed >= 0.2 m/s)", "NOT (w AND f)"),
+        ("not touch_speed >= 0.2 m/s", "NOT f"),
+        ("not(surface = wall)and(touch_speed >= 0.2 m/s or hit_ground)", "NOT w AND (f OR g)"),
+        ("hit_ground or surface = wall and touch_speed >= 0.2 m/s", "g OR (w AND f)"),
+        ('not ((surface = "wall")) or not hit_ground', "NOT w OR NOT g"),
+    ],
+)
+def test_conditions_are_combined_as_written(tmp_path: Path, text: str, sql: str) -> None:
+    filled(tmp_path, samples=40, parts=2, size=40)
+    known = Campaign(tmp_path)
+    for name, one in {
+        "w": "surface = 'wall'", "f": "coalesce(touch_speed >= 0.2, false)",
+        "g": "outcome = 'hit_ground'",
+    }.items():  # fmt: skip
+        sql = re.sub(rf"\b{name}\b", f"({one})", sql)
+    wanted = known.query(f"SELECT flight FROM flights WHERE {sql} ORDER BY flight").rows
+    found = known.where(text).query("SELECT flight FROM flights ORDER BY flight").rows
+    assert found == wanted
+    assert 0 < len(found) < known.done
+
+
+@pytest.mark.parametrize(
+    "name", ["world.obstacles[1], a (long) rod and mat or so", "Bob's 'own' pole", '3/4" pipe']
+)
+def test_words_in_quotes_may_contain_anything(name: str) -> None:
+    text = f"not (first_obstacle = {word_literal(name)} and penetration > 5 mm)"
+    sql = condition_in_words(text, {})
+    with duckdb.connect() as database:
+        rows = "(VALUES (?, 6e-3), (?, 4e-3), ('other', 6e-3)) t(first_obstacle, penetration)"
+        sql = f"SELECT first_obstacle, penetration > 5e-3 FROM {rows} WHERE {sql}"
+        kept = database.execute(sql, [name, name]).fetchall()
+    assert kept == [(name, False), ("other", True)]
+
+
+def test_a_condition_that_is_no_list_of_limits_has_no_alternatives() -> None:
+    assert len(alternatives("arm_stroke < 2 mm or not hit_ground", {})) == 2
+    for text in ("hit_ground and recovered", "not arm_stroke < 2 mm", "(hit_ground)"):
+        assert alternatives(text, {}) == ()
+    assert upper_limit("arm_stroke < 2 mm and recovered") is None
 
 
 def test_a_limit_of_what_did_not_happen_is_not_met(tmp_path: Path) -> None:
@@ -59,6 +111,9 @@ def test_a_text_is_sql_as_before() -> None:
         ("success = 1", "there is no column success"),
         ("1 = 1; DROP TABLE flights", "there is no column 1"),
         ("true", "neither an outcome nor a limit"),
+        ("(hit_ground", "must be a limit such as"),
+        ("not (arm_strok < 2 mm and hit_ground)", r"did you mean arm_stroke\?"),
+        ("(" * 600 + "hit_ground" + ")" * 600, "more than 50 parentheses"),
     ],
 )
 def test_a_wrong_condition_is_one_line(text: str, why: str) -> None:

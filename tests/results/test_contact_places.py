@@ -46,6 +46,7 @@ def thrown(*obstacles: dict[str, Any], duration: float = 0.25, **start: Any) -> 
 
 def only(flight: Flight) -> ObstacleContact:
     [found] = flight.obstacle_contacts
+    assert f"normal force up to {found.force:.3g} N on {found.part}" in found.text
     return found
 
 

@@ -72,6 +72,34 @@ def test_what_is_doubtful_is_in_the_summary(tmp_path: Path) -> None:
     assert "warnings" not in at_a_rim([BOX])[0].summary()
 
 
+def test_a_single_board_holds_deeper_than_half_and_one_in_a_union_does_not() -> None:
+    """As docs/howto/obstacle.md has it: 12.6 mm deep in 10 mm; with shelves before it, through."""
+
+    place = {"position": [2.0, 0.0, 1.0], "surface": "wall"}
+
+    def board(thickness: float) -> dict[str, Any]:
+        return {"type": "box", "position": [0.5 * thickness, 0, 0], "size": [thickness, 2.0, 2.0]}
+
+    def by_itself(thickness: float) -> Any:
+        there = {**board(thickness), **place, "position": [2.0 + 0.5 * thickness, 0, 1.0]}
+        return at_a_rim([there])[0].measures
+
+    def with_shelves(thickness: float) -> Any:
+        shelf = {"type": "box", "size": [0.3, 2.0, 0.02]}
+        shelves = [{**shelf, "position": [-0.15, 0, z]} for z in (0.3, -0.3)]
+        union = {"type": "union", **place, "shapes": [board(thickness), *shelves]}
+        return at_a_rim([union])[0].measures
+
+    alone, joined = (
+        [measures(thickness) for thickness in (0.01, 0.5)] for measures in (by_itself, with_shelves)
+    )
+    peak, depth = "impact_peak_acceleration", "penetration"
+    assert alone[0][peak] == pytest.approx(alone[1][peak], rel=1e-12)
+    assert alone[0][depth] == pytest.approx(12.6e-3, abs=0.1e-3)
+    assert joined[1][peak] == pytest.approx(alone[1][peak], rel=1e-6)
+    assert joined[0][peak] > 3.0 * joined[1][peak]
+
+
 #: A plate of 20 mm out of reach, and in the way.
 PLATE, AWAY, AHEAD = (0.02, 0.5, 0.5), (0.5, 0.0, 0.0), (-0.41, 0.0, 0.0)
 

@@ -139,6 +139,12 @@ export function touchOf(flight) {
   return touch === null ? null : touch + flight.shift;
 }
 
+/** Beginning of the last impact that began before a time [s], or null. */
+export function impactBefore(flight, t) {
+  const begun = flight.impacts.map(([begin]) => begin + flight.shift).filter((begin) => begin <= t);
+  return begun.length ? begun[begun.length - 1] : null;
+}
+
 /** First touch of the first flight that touches anything [s], or null. */
 export const firstTouch = (flights) => flights.map(touchOf).find((touch) => touch !== null) ?? null;
 

@@ -2,7 +2,7 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { palette } from "./colours.js";
-import { estimateAt, flightOf, hasEstimate, largestForce, poseAt, roundBelow, touchOf, unpacked } from "./flight.js";
+import { estimateAt, flightOf, hasEstimate, impactBefore, largestForce, poseAt, roundBelow, touchOf, unpacked } from "./flight.js";
 import { reachOfArm } from "./joints.js";
 import { Arrow, Robot, disposed } from "./robot.js";
 import { Mover, Path, Shadow, compass, joined, kindOf, moved, obstacle, rail, reference, restingShadow, shadesOf } from "./surroundings.js";
@@ -361,6 +361,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
   // -- time and camera ----------------------------------------------------------------------------
 
   let followed = null;
+  let struck = null; // where the view of the impact looks
 
   function middle() {
     const places = actors.map((actor) => actor.robot.group.position.clone().add(actor.group.position));
@@ -389,6 +390,16 @@ export function createScene(element, { flights = [], compare = "side", align = t
         else arrow.hide();
       });
     });
+    if (renderer && actors.length && state.camera === "impact") {
+      const now = impactPlace();
+      if (struck && now.distanceTo(struck) > 1e-9) {
+        const moved = now.clone().sub(struck);
+        camera.position.add(moved);
+        controls.target.add(moved);
+        controls.update();
+      }
+      struck = now;
+    }
     if (renderer && actors.length && FOLLOWING.includes(state.camera)) {
       const now = middle();
       if (followed) {
@@ -418,7 +429,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
   /** Select a view, one of CAMERAS. */
   function setCamera(mode) {
     state.camera = CAMERAS.includes(mode) ? mode : "follow";
-    followed = null;
+    followed = struck = null;
     onCamera(state.camera);
     if (!renderer || !actors.length) return;
     const reach = Math.max(...state.flights.map(reachOf));
@@ -432,7 +443,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     const whole = 0.5 * box.getSize(new THREE.Vector3()).length();
     const before = row ? forward().negate().addScaledVector(leftward(), -0.25).setZ(0.5).normalize() : new THREE.Vector3(-0.62, -0.66, 0.42).normalize();
     if (state.camera === "free") look(centre, before.clone().multiplyScalar(farFrom(whole)));
-    else if (state.camera === "impact") look(impactPlace(), row ? before.clone().multiplyScalar(near) : new THREE.Vector3(-0.45, -0.62, 0.5).normalize().multiplyScalar(farFrom(radius + 0.05)));
+    else if (state.camera === "impact") look((struck = impactPlace()), row ? before.clone().multiplyScalar(near) : new THREE.Vector3(-0.45, -0.62, 0.5).normalize().multiplyScalar(farFrom(radius + 0.05)));
     else {
       followed = middle();
       const from = { follow: before, front: forward().setZ(0.12), side: leftward().negate().setZ(0.12), top: new THREE.Vector3(0, -0.001, 1) }[state.camera];
@@ -452,10 +463,10 @@ export function createScene(element, { flights = [], compare = "side", align = t
     return Math.min(Math.max(...away), APART);
   }
 
-  /** Centre of the robots at first touch. */
+  /** Centre of the robots as they began the impacts that are under way or were the last; before all, at first touch. */
   function impactPlace() {
     const at = state.flights.map((flight, k) => {
-      const pose = poseAt(flight, touchOf(flight) ?? flight.begin);
+      const pose = poseAt(flight, impactBefore(flight, state.t) ?? touchOf(flight) ?? flight.begin);
       return new THREE.Vector3(...pose.position).add(actors[k].group.position);
     });
     return at.reduce((a, b) => a.add(b), new THREE.Vector3()).divideScalar(at.length);
@@ -546,7 +557,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
       return state.camera;
     },
     /** Numbers of what is shown. */
-    pose: () => ({ t: state.t, camera: state.camera, pixels: state.share, flights: state.poses ?? [],
+    pose: () => ({ t: state.t, camera: state.camera, target: controls?.target.toArray(), pixels: state.share, flights: state.poses ?? [],
       places: actors.map(({ group, robot }) => robot.group.position.clone().add(group.position).toArray()), // where they are drawn
       ends: actors.map(({ robot }) => robot.ends()),
       connections: actors.map(({ robot }) => robot.connections()),

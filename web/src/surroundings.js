@@ -97,16 +97,19 @@ function weldedBody(thing) {
   return welded;
 }
 
-/** Name of what an obstacle is drawn as: one colour, and one line of the legend. */
-export const kindOf = (thing) => (thing.kind === "mesh" ? `${thing.name}${thing.track < 0 ? "" : ", moving"}` : thing.kind);
+/** Name of what an obstacle is drawn as, its own or its type: one line of the legend. */
+export const kindOf = (thing) => `${thing.name || thing.kind}${thing.kind !== "mesh" || thing.track < 0 ? "" : ", moving"}`;
 
-/** Quiet colours of obstacles by kind: mat and ground have their own, the first other one that of a wall. */
+/** What has one colour: faces of a kind, and what goes by one name. */
+const shadeKey = (thing) => (thing.kind === "mesh" ? kindOf(thing) : thing.kind);
+
+/** Quiet colours of obstacles by name: mat and ground have their own, the first other one that of a wall. */
 export function shadesOf(things, colours) {
-  const kinds = [...new Set(things.map(kindOf))];
-  const others = kinds.filter((kind) => kind !== "mat" && kind !== "ground");
+  const keys = [...new Set(things.map(shadeKey))];
+  const others = keys.filter((key) => key !== "mat" && key !== "ground");
   others.sort((a, b) => (b === "wall") - (a === "wall"));
-  const shade = (kind) => (others.includes(kind) ? colours.shapes[others.indexOf(kind) % colours.shapes.length] : colours[kind]);
-  return new Map(kinds.map((kind) => [kind, shade(kind)]));
+  const shade = (key) => (others.includes(key) ? colours.shapes[others.indexOf(key) % colours.shapes.length] : colours[key]);
+  return new Map(things.map((thing) => [kindOf(thing), shade(shadeKey(thing))]));
 }
 
 /**

@@ -137,7 +137,8 @@ class Campaign:
 
         Args:
             conditions: In words, as a plan's ``success``, which must all hold: ``speed > 3 m/s``,
-                ``yaw = 45 deg or yaw = 0 deg``, ``surface = wall``, ``not success``.
+                ``yaw = 45 deg or yaw = 0 deg``, ``surface = wall``, ``not success``,
+                ``not (first_obstacle = 'world.obstacles[1], a pole' and penetration > 5 mm)``.
 
         Raises:
             InputError: If one cannot be read, or no flight satisfies them.

@@ -59,9 +59,10 @@ class CampaignProgress:
     def sentence(self) -> str:
         """Text of one line."""
         share = 100.0 * self.done / self.flights
-        parts = [f"{self.done} of {self.flights} flights ({share:.1f} %), {self.parts} parts"]
+        count = "1 part" if self.parts == 1 else f"{self.parts} parts"
+        parts = [f"{self.done} of {self.flights} flights ({share:.1f} %), {count}"]
         if self.rate > 0.0:
-            parts.append(f"{self.rate:.0f} flights/s")
+            parts.append(rate_text(self.rate))
         if self.time_left:
             parts.append(f"{duration_text(self.time_left)} left")
         if self.refused:
@@ -69,6 +70,14 @@ class CampaignProgress:
         if self.ledger_open:
             parts.append(f"warning: {self.ledger_open} with an energy balance that does not close")
         return ", ".join(parts)
+
+
+def rate_text(rate: float) -> str:
+    """Flights per second as text, slow ones per minute or per hour."""
+    factor, unit = (3600.0, "h") if 60.0 * rate < 1.0 else (60.0, "min")
+    factor, unit = (factor, unit) if rate < 1.0 else (1.0, "s")
+    value = factor * rate
+    return f"{value:.0f} flights/{unit}" if value >= 10.0 else f"{value:.2g} flights/{unit}"
 
 
 def duration_text(seconds: float) -> str:

@@ -219,8 +219,8 @@ def _parts(flight: FlightResult, met: _Met) -> Iterator[Event]:
     c = flight.columns
     speed = np.sqrt(sum(c[f"v{axis}"] ** 2 for axis in "xyz"))
     for one, there in met:
-        what = "" if there is None else f" {there.obstacle},"
-        sentence = f"{one.name} touches{what} up to {one.force:.0f} N"
+        what = "" if there is None else f" {there.obstacle}"
+        sentence = f"{one.name} touches{what}, normal force up to {one.force:.0f} N"
         label, place = f"{one.name} on", (None, None) if there is None else there[:2]
         yield Event(one.begin, "contact", label, sentence, one.arm, float(speed[one.first]), *place)
         sentence = f"{one.name} separates after {1e3 * (one.end - one.begin):.1f} ms"

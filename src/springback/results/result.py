@@ -105,7 +105,7 @@ class ObstacleContact(NamedTuple):
             if self.place is None
             else f", at [{', '.join(f'{round(x, 2) + 0.0:.2f}' for x in self.place)}] m"
         )
-        hardest = f"up to {self.force:.3g} N on {self.part}{at}, at {self.time:.3f} s"
+        hardest = f"normal force up to {self.force:.3g} N on {self.part}{at}, at {self.time:.3f} s"
         return f"{self.obstacle}: by {' and '.join(self.parts)}, {hardest}"
 
 

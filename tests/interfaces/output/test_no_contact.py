@@ -18,7 +18,7 @@ from springback.campaign.design.layout import lay_out
 from springback.campaign.store import open_store
 from springback.interfaces.output.no_contact import (
     idle_suction,
-    pierced_line,
+    pierced_lines,
     pressing_line,
     untouched_flight,
     untouched_line,
@@ -174,9 +174,10 @@ def test_contacts_with_a_mesh_of_coarse_cells_are_counted(tmp_path: Path) -> Non
     columns["penetration"] = np.array([0.0, 1e-4, 0.013, 0.0, 0.002])
     with open_store(tmp_path / "rows", design, resume=False) as store:
         store.add(0, 5, columns)
-    line = pierced_line(Campaign(tmp_path / "rows"))
+    line, command = pierced_lines(Campaign(tmp_path / "rows"))
     assert line.startswith(
         "3 flights came up to 13 mm deep, and forces on the thinnest parts of world.obstacles[0], a "
         "mesh with cells of 28 mm, are wrong at any depth, as they are 40 mm thick: fewer than three"
     )
     assert "give a cell of at most 0.005 m" in line
+    assert command.endswith('--where "not (penetration > 0 mm)"')

@@ -7,9 +7,10 @@ from itertools import pairwise
 
 import pytest
 
+from springback.campaign.running import CampaignProgress, rate_text
 from springback.interfaces.cli.common import Terminal
 from springback.interfaces.output import progress_lines
-from springback.interfaces.output.progress_lines import LOOK, SILENCE, ProgressLines
+from springback.interfaces.output.progress_lines import LOOK, SILENCE, CampaignLines, ProgressLines
 
 
 def test_no_silence_is_longer_than_twenty_seconds() -> None:
@@ -57,6 +58,41 @@ def test_what_may_take_long_is_explained_once() -> None:
         "reading and flying, after 20 s",
         "reading and flying, after 30 s",
     ]
+
+
+def _progress(done: int, rate: float) -> CampaignProgress:
+    return CampaignProgress(done, 300, int(done > 0), 0, 0, 0, rate)
+
+
+def test_a_campaign_says_how_long_its_first_flights_have_taken() -> None:
+    now, said = 0.0, list[tuple[float, str]]()
+    lines = CampaignLines(lambda text: said.append((now, text)), lambda: now)
+    lines.show(_progress(0, 0.0))
+    for step in range(1, 431):
+        now = step * LOOK
+        lines.look()
+    lines.show(_progress(38, 0.09))
+    for step in range(431, 600):
+        now = step * LOOK
+        lines.look()
+    assert said[0][1].endswith("; new kinds of flight are compiled first, for a minute or more")
+    assert [at for at, _ in said] == [0.0, 61.0, 121.0, 181.0, 241.0, 301.0, 361.0, 421.0]
+    assert said[-1][1] == (
+        "0 of 300 flights (0.0 %), 0 parts; compiling, and flying the first part, for 7 min 01 s "
+        "so far"
+    )
+    lines.show(_progress(76, 0.09))
+    assert said[-1][1] == "76 of 300 flights (25.3 %), 1 part, 5.4 flights/min, 41 min 29 s left"
+
+
+@pytest.mark.parametrize(
+    ("rate", "text"),
+    [(2043.2, "2043 flights/s"), (1.44, "1.4 flights/s"), (0.99, "59 flights/min"),
+     (0.0521, "3.1 flights/min"), (0.004, "14 flights/h"), (0.0011, "4 flights/h")],
+)  # fmt: skip
+def test_slow_rates_are_no_zero(rate: float, text: str) -> None:
+    assert rate_text(rate) == text
+    assert f", {text}, " in _progress(1, rate).sentence()
 
 
 @pytest.mark.parametrize("how", ["progress_bar", "progress_in_words", "spinner"])

@@ -15,6 +15,7 @@ from builders.pairs import two
 from interfaces.browsing import browser, complaints, needs_browser, requests, resized
 from interfaces.replay.pages import TABLES, drag, key, opened, pose, until
 from springback.interfaces.replay.viewer import export_page, replay_of
+from springback.results.events import impacts_of
 from springback.results.flight import Flight, fly
 
 pytestmark = needs_browser
@@ -231,6 +232,54 @@ def test_a_view_turned_by_hand_is_no_longer_called_by_its_name(driver: Any, page
     drag(driver, canvas, (0.4, 0.5), (0.6, 0.55))
     assert lit() == ["follow"]
     assert complaints(driver) == []
+
+
+@pytest.fixture(scope="module")
+def between(tmp_path_factory: pytest.TempPathFactory) -> tuple[Flight, Path]:
+    """ARQ hits a wall several times; both walls have names, and the ground has none."""
+    walls = [
+        {"type": "wall", "name": "east wall", "distance": 2.75, "surface": "wall"},
+        {"type": "wall", "name": "west <b>wall", "position": [1.6, 0, 0], "normal": [1, 0, 0],
+         "surface": "wall"},
+        {"type": "ground", "surface": "wall"},
+    ]  # fmt: skip
+    flight = fly(TABLES | {"world": {"obstacles": walls}, "simulation": {"duration": 1.2}})
+    path = tmp_path_factory.mktemp("between") / "one.html"
+    export_page(replay_of([flight]), path)
+    return flight, path
+
+
+def test_the_view_of_the_impact_goes_to_the_next_one(
+    driver: Any, between: tuple[Flight, Path]
+) -> None:
+    """It stays where an impact began until the next begins, and shows the robot then."""
+    flight, page = between
+    (first, _), (second, _), *_ = impacts_of(flight)
+
+    def target(t: float) -> Any:
+        opened(driver, page, f"#t={t}&camera=impact")
+        return np.array(pose(driver)["target"])
+
+    def place(t: float) -> Any:
+        return np.array([np.interp(t, flight.t, flight.columns[axis]) for axis in "xyz"])
+
+    assert np.linalg.norm(place(second) - place(first)) > 0.05  # else nothing is told
+    assert target(0.0) == pytest.approx(place(first), abs=2e-3)
+    assert target(second - 1e-3) == pytest.approx(place(first), abs=2e-3)
+    assert target(second + 1e-3) == pytest.approx(place(second), abs=2e-3)
+    driver.execute_script("window.springback.player.seek(arguments[0])", first + 0.01)
+    assert pose(driver)["target"] == pytest.approx(place(first), abs=2e-3)
+    assert complaints(driver) == []
+
+
+def test_the_legend_calls_obstacles_by_their_names(
+    driver: Any, between: tuple[Flight, Path]
+) -> None:
+    opened(driver, between[1])
+    keys = driver.find_elements("css selector", ".scene-legend .obstacle")
+    assert [one.text for one in keys] == ["east wall", "west <b>wall", "ground"]
+    colours = [one.get_attribute("style") for one in keys]
+    assert colours[0] == colours[1] != colours[2]
 
 
 def test_sum_and_parts_of_contact_forces_go_by_different_names(driver: Any, page: Path) -> None:

@@ -17,7 +17,7 @@ from springback.contact.obstacles import signed_distance
 from springback.contact.scene.solids import solid_face
 from springback.contact.scene.table import Solid
 from springback.errors import InputError
-from springback.interfaces.replay.geometry import MOST_DRAWN, TRUNK_SIDES, drawables
+from springback.interfaces.replay.geometry import MOST_DRAWN, MOST_NAMED, TRUNK_SIDES, drawables
 from springback.interfaces.replay.scene import load, scene_of
 from springback.interfaces.reports.flight_files import write_flight
 from springback.kernels.routines import NumberTable
@@ -45,6 +45,31 @@ def test_walls_mats_and_ground_stand_where_they_are() -> None:
     assert mat.centre[2] - np.linalg.norm(mat.along) == pytest.approx(0.1)
     for face in (mat, ground):
         assert np.cross(face.across, face.along) @ np.array(face.normal) > 0.0
+
+
+def test_obstacles_go_by_their_names() -> None:
+    """Shapes of one name are one; those without go by their type, as do those beyond the most."""
+    pole = {"type": "pole", "position": [2.7, 0.0, 0.0], "radius": 0.05, "surface": "wall"}
+    entries = [
+        {"type": "wall", "name": "east wall", "distance": 3.0, "surface": "wall"},
+        pole, {**pole, "name": "column"}, {**pole, "name": "lamp"}, {**pole, "name": "column"}, pole,
+    ]  # fmt: skip
+    flown = np.array([[0.0, 0.0, 1.0], [2.4, 0.1, 1.1]])
+
+    def drawn(entries: list[dict[str, Any]]) -> list[tuple[str, str]]:
+        world = WorldSettings.model_validate({"obstacles": entries})
+        found = drawables(world.obstacles, (), flown, np.zeros((0, 3))).drawables
+        return [(one.kind, one.name) for one in found]
+
+    entries = expand_presets({"vehicle": "arq", "world": {"obstacles": entries}})["world"][
+        "obstacles"
+    ]
+    assert drawn(entries) == [
+        ("wall", "east wall"), ("mesh", "pole"), ("mesh", "column"), ("mesh", "lamp"),
+    ]  # fmt: skip
+    many = [{**entries[1], "name": f"pole {k}"} for k in range(MOST_NAMED + 5)]
+    assert len(drawn(many)) == MOST_NAMED + 1
+    assert drawn(many)[-1] == ("mesh", "pole")
 
 
 def shapes(name: str, **fields: Any) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from itertools import combinations
 from typing import Any
 
 from springback.campaign.access import Campaign
-from springback.campaign.analysis.marginals import Scale, scale
+from springback.campaign.analysis.marginals import GROUPS, Scale, scale
 from springback.campaign.analysis.statistics import (
     PairSummary,
     RobotSummary,
@@ -59,11 +59,12 @@ def field_summary(campaign: Campaign, name: str, cells: int = CELLS) -> FieldSum
     """Summary by the levels of a field.
 
     Levels are compared in pairs of flights of one robot: those of one sample, if levels share
-    samples, or else, on a grid, those in which all other fields with levels are the same.
+    samples, or else, on a grid, those in which all other fields with levels are the same.  What
+    flights did, the columns of `GROUPS`, is not compared: flights are not alike but for that.
 
     Args:
         campaign: Campaign that varied it.
-        name: Name of its column.
+        name: Name of its column, or one of `GROUPS`.
         cells: Number of cells if it has no levels.
 
     Raises:
@@ -80,7 +81,7 @@ def field_summary(campaign: Campaign, name: str, cells: int = CELLS) -> FieldSum
 
 def _pairs(campaign: Campaign, cut: Scale, levels: list[int]) -> Iterator[PairSummary]:
     """Comparisons of levels, each with each if there are few, else with the first."""
-    if not cut.labels:
+    if not cut.labels or cut.name in GROUPS:
         return
     couples = list(combinations(levels, 2))
     if len(levels) > MOST_COMPARED:

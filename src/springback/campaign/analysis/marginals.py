@@ -17,7 +17,7 @@ from springback.campaign.design.targets import field_path
 from springback.errors import InputError
 from springback.intervals import IntervalEstimate, Values, quantile, share
 from springback.problems import nearest_name
-from springback.results.database import identifier
+from springback.results.database import identifier, literal
 
 
 class Scale(NamedTuple):
@@ -59,6 +59,10 @@ def fields_of(campaign: Campaign, *, scatter: bool = False) -> list[str]:
 
 #: Most levels that have a cell each (chosen).
 MOST_LEVELS = 24
+#: Columns of results whose words group flights.
+GROUPS = ("outcome", "first_obstacle", *SECOND_OUTCOME)
+#: Labels of flights that touched nothing, and of those of the least frequent words.
+NOTHING, OTHERS = "nothing", "others"
 #: Share of flights in the outermost cell at each end of a normal distribution (chosen).
 TAIL = 0.005
 
@@ -68,24 +72,30 @@ def scale(campaign: Campaign, name: str, cells: int) -> Scale:
 
     Args:
         campaign: Campaign that varied it.
-        name: Name of its column, or its field spelt in another way, as in a plan.
+        name: Name of its column, or its field spelt in another way, as in a plan; or a column of
+            `GROUPS`, whose words are levels, the most frequent first.
         cells: Number of cells if it has no levels.
 
     Raises:
         InputError: If it was not varied.
     """
+    if name in GROUPS:
+        return _groups(campaign, name)
     known = {one.column: one for one in campaign.design.dimensions}
     if name not in known:
         path = field_path(name)
         name = next((column for column in known if field_path(column) == path), name)
     if name not in known:
-        raise InputError(f"{name}: is not varied by this campaign; varied are {', '.join(known)}")
+        raise InputError(
+            f"{name}: is not varied by this campaign; varied are {', '.join(known)}; what flights "
+            "did is in outcome and first_obstacle"
+        )
     one, column = known[name], identifier(name)
     if isinstance(one.law, LevelSet) and (one.text or len(one.law.values) <= MOST_LEVELS):
         values = [one.column_value(k, 0) for k in range(one.law.levels)]
         values = values if one.text else sorted(values)
         labels = tuple(v if isinstance(v, str) else f"{v:.6g}" for v in values)
-        texts = ", ".join(f"{v!r}" if isinstance(v, str) else f"{v!r}::DOUBLE" for v in values)
+        texts = ", ".join(literal(v) if isinstance(v, str) else f"{v!r}::DOUBLE" for v in values)
         places = () if one.text else tuple(float(v) for v in values)
         return Scale(
             name, one.unit, labels, places, False, f"list_position([{texts}], {column}) - 1"
@@ -108,6 +118,22 @@ def scale(campaign: Campaign, name: str, cells: int) -> Scale:
     cell = f"greatest(0, least({cells - 1}, floor(({function} - {a!r}) / {width!r})))::INTEGER"
     shown = sign * np.exp(edges) if logarithmic else edges
     return Scale(name, one.unit, (), tuple(map(float, shown)), logarithmic, cell)
+
+
+def _groups(campaign: Campaign, name: str) -> Scale:
+    """Division of flights by the words of a column of results."""
+    if name not in campaign.query("FROM flights LIMIT 0").columns:
+        raise InputError(f"{name}: the rows of {campaign.folder} do not have this column")
+    column = identifier(name)
+    sql = f"""SELECT {column} FROM flights WHERE outcome <> 'refused' AND {column} IS NOT NULL
+              GROUP BY {column} ORDER BY count(*) DESC, {column}"""
+    words = [str(word) for (word,) in campaign.query(sql).rows]
+    most = words if len(words) <= MOST_LEVELS else words[: MOST_LEVELS - 1]
+    labels = tuple(word or NOTHING for word in most) + (OTHERS,) * (len(most) < len(words))
+    texts = ", ".join(map(literal, most))
+    place = f"coalesce(nullif(list_position([{texts}]::VARCHAR[], {column}), 0) - 1, {len(most)})"
+    cell = f"CASE WHEN outcome <> 'refused' AND {column} IS NOT NULL THEN {place} END"
+    return Scale(name, "", labels, (), False, f"({cell})")
 
 
 #: Measure of a map or marginal unless another is named.

@@ -323,7 +323,7 @@ def _limit(campaign: Campaign, text: str) -> WorstCaseLimit:
     """A limit in words, and the measure that it bounds."""
     design = campaign.design
     terms = alternatives(text, design.condition_fields, judged=True)
-    sql = " OR ".join(term.sql for term in terms)
+    sql = design.condition(text, judged=True)
     numbers = [term for term in terms if not isinstance(term.value, str)]
     if (
         len({(term.column, term.sign[0]) for term in numbers}) != 1

@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 import shlex
 import sys
-import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -23,14 +22,11 @@ from springback.interfaces.cli.common import (
 from springback.interfaces.cli.completion import ScenarioPath, complete_setting
 from springback.interfaces.output import interrupts
 from springback.interfaces.output.plain_text import plain_text
+from springback.interfaces.output.progress_lines import CampaignLines
 
 if TYPE_CHECKING:
     from springback.campaign.access import Campaign
     from springback.campaign.running import CampaignProgress
-
-WAIT = "; new kinds of flight are compiled first, for a minute"
-BETWEEN_LINES = 10.0
-"""Seconds between two lines of progress without a terminal."""
 
 
 @click.command()
@@ -166,7 +162,7 @@ def _design(plan: Path | None, overrides: tuple[str, ...], out: Path | None) -> 
 
 def _report(flown: Any, output: Output) -> None:
     from springback.interfaces.output.no_contact import (
-        pierced_line,
+        pierced_lines,
         pressing_line,
         untouched_line,
     )
@@ -176,8 +172,7 @@ def _report(flown: Any, output: Output) -> None:
     answer = flown.query(sql)
     data = {"folder": str(output.out), "flights": flown.done, "outcomes": answer.as_dicts()}
     output.print(data, as_text(answer.columns, answer.rows))
-    said = (say(flown) for say in (untouched_line, pressing_line, pierced_line))
-    for line in filter(None, said):
+    for line in filter(None, (untouched_line(flown), pressing_line(flown), *pierced_lines(flown))):
         output.note(line)
     output.note(f"{flown.done} flights in {output.out}; see springback summary {output.out}")
 
@@ -194,14 +189,9 @@ def _progress(
         with _bar(console) as both:
             yield both
         return
-    last = [-BETWEEN_LINES]
-
-    def show(now: CampaignProgress) -> None:
-        if time.monotonic() - last[0] >= BETWEEN_LINES or now.done == now.flights:
-            last[0] = time.monotonic()
-            output.note(now.sentence() + ("" if now.rate or now.done == now.flights else WAIT))
-
-    yield show, say
+    lines = CampaignLines(output.note)
+    with lines.looking():
+        yield lines.show, say
 
 
 @contextlib.contextmanager
@@ -213,16 +203,23 @@ def _bar(
 
     columns = (BarColumn(bar_width=24), TextColumn("{task.description}"), TimeElapsedColumn())
     with Bars(*columns, console=console, transient=True) as bars:
-        task = bars.add_task(f"starting{WAIT}", total=1)
+        task = bars.add_task("starting", total=1)
+
+        def tell(text: str) -> None:
+            bars.update(task, description=text)
+
+        lines = CampaignLines(tell)
 
         def show(now: CampaignProgress) -> None:
-            said = now.sentence() if now.rate else None
+            said = now.sentence() + lines.wait(now)
+            lines.show(now)
             bars.update(task, completed=now.done, total=now.flights, description=said)
 
         def remark(text: str) -> None:
             console.print(plain_text(text), markup=False, highlight=False)
 
-        yield show, remark
+        with lines.looking():
+            yield show, remark
 
 
 def _print_cost(design: Any, workers: int | None, output: Output) -> None:
@@ -352,7 +349,8 @@ def refly(folder: Path, row: int, output: Output) -> None:
 )  # fmt: skip
 @click.option(
     "--by", "fields", multiple=True, metavar="FIELD",
-    help="Field, or two with a comma, of the limits; without --limit outcomes by its levels.",
+    help="Field, or two with a comma, of the limits; without --limit outcomes and measures by its "
+    "levels; also outcome or first_obstacle, what was touched first.",
 )  # fmt: skip
 @click.option(
     "--share", type=float,
@@ -396,6 +394,7 @@ def summary(
     springback summary results --out page --measure impact_peak_acceleration
     springback summary results --by stiffness --limit "impact_peak_acceleration < 300 m/s^2"
     springback summary results --by surface --where "speed > 3 m/s"
+    springback summary results --by first_obstacle
     """
     from springback.campaign.access import Campaign
     from springback.campaign.analysis.levels import field_summary, fields_of_words

@@ -152,7 +152,8 @@ def _which_row(folder: Path, path: Path) -> str:
         some = ", ".join(map(str, stored[:5])) + (" ..." if len(stored) > 5 else "")
         return f"holds the kept flights {some}; replay one: springback view {shown} {stored[0]}"
     found = failures(known, 1)
-    first = found.rows[0]["flight"] if found.rows else 0
+    listed = found.rows or found.kept
+    first = listed[0]["flight"] if listed else 0
     last = known.metadata["flights"] - 1
     return (
         f"holds a campaign of flights 0 to {last}; name one: springback view {shown} {first} "

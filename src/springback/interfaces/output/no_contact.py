@@ -6,10 +6,14 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from springback.contact.thin_obstacles import PIERCED, ThinObstacle, thin_obstacles
+from springback.campaign.analysis.thin_flights import (
+    ThinFlights,
+    largest_in_doubt,
+    thin_flights,
+    without_command,
+)
+from springback.campaign.analysis.worst_case import WorstCase, WorstCaseMap
 from springback.errors import InputError
-from springback.scenario.scenario import scenario_from
-from springback.scenario.worlds.imported import named_obstacles
 
 if TYPE_CHECKING:
     from springback.campaign.access import Campaign
@@ -30,6 +34,8 @@ _WAYS = {
 """What decides where an obstacle moves to, by the type of its motion."""
 #: Most instants of a flight, times obstacles, at which distances are asked for (chosen: 1 s).
 MOST_ASKED = 400_000
+#: Most thin obstacles of a campaign that have a line each (chosen).
+MOST_TOLD = 3
 
 
 class NearestApproach(NamedTuple):
@@ -175,28 +181,59 @@ def pressing_line(campaign: Campaign) -> str:
     )
 
 
-def pierced_line(campaign: Campaign) -> str:
-    """Line on flights whose contacts may have reached the other side of an obstacle; else empty.
+def pierced_lines(campaign: Campaign) -> list[str]:
+    """Lines on flights whose contacts may have reached the other side of an obstacle.
 
-    Where fields of obstacles vary, those of the scenario count.
+    The last is the command that leaves them out, after a colon; there is none without such flights.
     """
-    thin: list[ThinObstacle] = []
-    for base in campaign.design.bases:
-        try:
-            thin += thin_obstacles(named_obstacles(scenario_from(base).world.obstacles))
-        except InputError:  # fields of the plan complete it
-            continue
-    if not thin:
-        return ""
-    first = min(thin, key=lambda one: one.depth)
-    sql = "SELECT count(*), max(penetration) FROM flights WHERE penetration > ?"
-    [(pierced, deepest)] = campaign.query(sql, [PIERCED * first.depth]).rows
-    if not pierced:
-        return ""
-    flights = "1 flight" if pierced == 1 else f"{pierced} flights"
+    found = thin_flights(campaign)
+    if not found:
+        return []
+    lines = [_pierced(one) for one in found[:MOST_TOLD]]
+    if more := found[MOST_TOLD:]:
+        count = sum(one.flights for one in more)
+        lines.append(
+            f"{count} more flights came deeper than forces on the thin obstacle hold that they "
+            f"touched first, one of {len(more)} others"
+        )
+    if found[0].first:
+        lines[-1] += "; flights that met a thin obstacle after another one are not counted"
+    return [*lines, f"without these flights: {without_command(campaign, found)}"]
+
+
+def doubt_lines(campaign: Campaign, name: str) -> list[str]:
+    """Lines on a measure whose largest value is of a flight not to be trusted.
+
+    Args:
+        campaign: Any.
+        name: Name of the measure's column.
+    """
+    return [
+        f"the largest {name} of {robot} is not to be trusted: flight {flight} came deeper than "
+        "forces on the thin obstacle hold that it met first"
+        for robot, flight in largest_in_doubt(campaign, name).items()
+    ]
+
+
+def worst_doubt_lines(campaign: Campaign, found: WorstCase | WorstCaseMap) -> list[str]:
+    """Lines on worst values that are of flights not to be trusted; see `doubt_lines`."""
+    whole = found if isinstance(found, WorstCase) else found.whole
+    measures = {one.measure.name for one in whole.limits if one.measure and not one.least}
+    return [line for name in sorted(measures) for line in doubt_lines(campaign, name)]
+
+
+def _pierced(one: ThinFlights) -> str:
+    """Sentence on flights that came too deep."""
+    flights = "1 flight" if one.flights == 1 else f"{one.flights} flights"
+    deep, known = f"{1e3 * one.deepest:.3g} mm deep", one.obstacle.sentence
+    if not one.first:
+        return (
+            f"{flights} came up to {deep}, and {known}; those that met it are not to be trusted "
+            f"({one.condition})"
+        )
     return (
-        f"{flights} came up to {1e3 * deepest:.3g} mm deep, and {first.sentence}; those "
-        f"that met it are not to be trusted (penetration > {PIERCED * first.depth:.4g} m)"
+        f"{flights} whose first obstacle was {one.first}, came up to {deep}, and {known}; those "
+        f"that came so deep into it are not to be trusted ({one.condition.rpartition(' and ')[2]})"
     )
 
 

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import math
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, contextmanager
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from springback.campaign.running import CampaignProgress
 
 SILENCE = 10.0
 """Seconds before a line says what is done where there is no terminal."""
+USUAL = 60.0
+"""Seconds for which the first flights of a campaign are usually compiled, at most (chosen)."""
 LOOK = 1.0
 """Seconds between two looks at whether a line is due."""
 
@@ -51,19 +58,74 @@ class ProgressLines:
         self._say(f"{self.label}: {said}, {after}" if said else f"{self.label}, {after}")
         self.label = self.label.partition(";")[0]
 
-    @contextmanager
-    def looking(self) -> Iterator[None]:
+    def looking(self) -> AbstractContextManager[None]:
         """Say lines while a task runs, also where it reports nothing for long."""
-        done = threading.Event()
+        return _looking(self.look)
 
-        def watch() -> None:
-            while not done.wait(LOOK):
-                self.look()
 
-        thread = threading.Thread(target=watch, daemon=True)
-        thread.start()
-        try:
-            yield
-        finally:
-            done.set()
-            thread.join()
+@contextmanager
+def _looking(look: Callable[[], None]) -> Iterator[None]:
+    """Look again and again, until the block ends."""
+    done = threading.Event()
+
+    def watch() -> None:
+        while not done.wait(LOOK):
+            look()
+
+    thread = threading.Thread(target=watch, daemon=True)
+    thread.start()
+    try:
+        yield
+    finally:
+        done.set()
+        thread.join()
+
+
+class CampaignLines:
+    """Progress of a campaign, and how long its first flights are being compiled and flown."""
+
+    def __init__(
+        self, say: Callable[[str], None], clock: Callable[[], float] = time.monotonic
+    ) -> None:
+        """Begin a campaign.
+
+        Args:
+            say: Prints a line.
+            clock: Time [s].
+        """
+        self._say, self._clock = say, clock
+        self._begun = clock()
+        self._last = -math.inf
+        self._now: CampaignProgress | None = None
+
+    def show(self, now: CampaignProgress) -> None:
+        """Take the progress, and say it if a line is due or all is done."""
+        self._now = now
+        if self._clock() - self._last >= SILENCE or now.done == now.flights:
+            self._tell(now)
+
+    def look(self) -> None:
+        """Say a line if no flight has been stored yet, and one is due."""
+        if self._now is not None and not self._now.rate:
+            waited = self._clock() - self._begun
+            if waited > USUAL and self._clock() - self._last >= USUAL:
+                self._tell(self._now)
+
+    def _tell(self, now: CampaignProgress) -> None:
+        self._last = self._clock()
+        self._say(now.sentence() + self.wait(now))
+
+    def wait(self, now: CampaignProgress) -> str:
+        """What is waited for, after a semicolon; empty once flights were stored."""
+        if now.rate or now.done == now.flights:
+            return ""
+        waited = self._clock() - self._begun
+        if waited <= USUAL:
+            return "; new kinds of flight are compiled first, for a minute or more"
+        from springback.campaign.running import duration_text
+
+        return f"; compiling, and flying the first part, for {duration_text(waited)} so far"
+
+    def looking(self) -> AbstractContextManager[None]:
+        """Say lines while no flight is stored."""
+        return _looking(self.look)

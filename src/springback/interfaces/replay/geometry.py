@@ -56,6 +56,8 @@ FOOT = 0.45
 #: Most solids that are drawn, sides of each of so many trunks, and instants at which distances
 #: from the flight are compared (chosen: a page of 1 MB).
 MOST_DRAWN, TRUNK_SIDES, COMPARED = 400, 16, 64
+#: Most names of shapes at rest in a legend (chosen).
+MOST_NAMED = 16
 
 
 class Drawable(NamedTuple):
@@ -67,7 +69,7 @@ class Drawable(NamedTuple):
     """
 
     kind: str  # wall, mat, slope, ground or mesh
-    name: str  # for a legend
+    name: str  # for a legend: the user's, or its type
     centre: tuple[float, ...] = ()  # world [m]
     normal: tuple[float, ...] = ()  # unit vector, world
     across: tuple[float, ...] = ()  # half a side, world [m]
@@ -136,8 +138,10 @@ def drawables(
         + bodies
         + moving
     )
-    own_meshes = surfaces_of(own, near if len(near) else flown) if own else stored
+    own_meshes = list(surfaces_of(own, near if len(near) else flown) if own else stored)
+    given = [one.name for one in at_rest if isinstance(one, UserShape)]
     for k, one in enumerate(own_meshes):
+        one = one._replace(name=given[k]) if k < len(given) and given[k] else one
         if len(one.triangles):
             things.append(Drawable("mesh", one.name, vertices=one.vertices,
                                    triangles=one.triangles, normals=one.normals,
@@ -180,7 +184,8 @@ def _face(
         halves.append(_floats(0.5 * side * axis))
     across, along = halves
     word = "slope" if isinstance(entry, SolidShape) else entry.type
-    return Drawable(word, word, _floats(centre), _floats(n), across, along, thickness)
+    name = "" if isinstance(entry, SolidShape) else entry.name
+    return Drawable(word, name or word, _floats(centre), _floats(n), across, along, thickness)
 
 
 def _floats(v: Array) -> tuple[float, ...]:
@@ -249,10 +254,12 @@ def _distances(bodies: Sequence[SolidShape], points: Array) -> Array:
 def _meshes(
     parts: Sequence[tuple[ShapeSettings, list[SolidShape]]], flown: Array, floor: float | None
 ) -> Iterable[Drawable]:
-    """One mesh for all shapes of a type."""
+    """One mesh for all shapes of a name, or of a type for those without and for too many names."""
     kinds: dict[str, list[tuple[ShapeSettings, list[SolidShape]]]] = {}
+    given = list(dict.fromkeys(shape.name for shape, _ in parts if shape.name))[:MOST_NAMED]
     for shape, bodies in parts:
-        kinds.setdefault(str(getattr(shape, "type", "")), []).append((shape, bodies))
+        word = shape.name if shape.name in given else str(getattr(shape, "type", ""))
+        kinds.setdefault(word, []).append((shape, bodies))
     for name, group in kinds.items():
         mesh = as_one([_mesh(shape, bodies, flown, floor) for shape, bodies in group])
         yield Drawable(

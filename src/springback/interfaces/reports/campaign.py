@@ -10,13 +10,20 @@ from springback.campaign.analysis.levels import FieldSummary
 from springback.campaign.analysis.statistics import Summary
 from springback.campaign.analysis.worst_case import WorstCase, WorstCaseMap
 from springback.files import write_json
-from springback.interfaces.output.no_contact import pierced_line, pressing_line, untouched_line
+from springback.interfaces.output.no_contact import (
+    doubt_lines,
+    pierced_lines,
+    pressing_line,
+    untouched_line,
+    worst_doubt_lines,
+)
 from springback.interfaces.output.tables import as_text
 from springback.interfaces.output.worst_case import answer_lines, answer_table
 from springback.interfaces.reports.measures import MeasureReport, measure_report
 from springback.interfaces.reports.outcomes import (
     distribution_table,
     drawn_ranges,
+    level_quantile_table,
     level_table,
     measure_unit,
     outcome_table,
@@ -35,7 +42,8 @@ def summary_text(
     """Summary for a terminal; see `write_summary`."""
     about = found.campaign.metadata
     done, of = found.campaign.done, about["flights"]
-    said = (say(found.campaign) for say in (untouched_line, pressing_line, pierced_line))
+    known = found.campaign
+    said = (untouched_line(known), pressing_line(known), *pierced_lines(known))
     remarks = filter(None, said)
     state = "complete" if done == of else f"{100.0 * done / of:.1f} %, continue with --resume"
     lines = [
@@ -55,10 +63,12 @@ def summary_text(
     for by in levels:
         lines += ["", f"by {by.field.name}", as_text(*level_table(by))]
         lines += [pair.sentence() for pair in by.pairs]
+        lines += ["", as_text(*level_quantile_table(by))]
     for one in measures:
-        lines += ["", *_measure_lines(one)]
+        lines += ["", *_measure_lines(one), *doubt_lines(known, one.name)]
     for worst in worst_cases:
-        lines += ["", *answer_lines(worst), as_text(*answer_table(worst))]
+        lines += ["", *answer_lines(worst), *worst_doubt_lines(known, worst)]
+        lines += [as_text(*answer_table(worst))]
     replay = failures(found.campaign, 1).sentence()
     return "\n".join([*lines, *(["", replay] * bool(replay))])
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from springback.campaign.access import Campaign
-from springback.campaign.analysis.failures import FailureList, failures
+from springback.campaign.analysis.failures import MOST, PEAK, FailureList, failures
 from springback.campaign.analysis.levels import FieldSummary
 from springback.campaign.analysis.marginals import SUCCESS, field_map
 from springback.campaign.analysis.statistics import Summary
@@ -20,7 +20,13 @@ from springback.interfaces.figures import measures as measure_figures
 from springback.interfaces.figures import style
 from springback.interfaces.figures.worst_case import worst_case_figure, worst_case_map_figure
 from springback.interfaces.output.folders import file_stem
-from springback.interfaces.output.no_contact import pierced_line, pressing_line, untouched_line
+from springback.interfaces.output.no_contact import (
+    doubt_lines,
+    pierced_lines,
+    pressing_line,
+    untouched_line,
+    worst_doubt_lines,
+)
 from springback.interfaces.output.robots import robot_label, with_labels
 from springback.interfaces.output.worst_case import answer_lines, answer_table
 from springback.interfaces.reports.measures import MeasureReport
@@ -29,6 +35,7 @@ from springback.interfaces.reports.outcomes import (
     drawn_ranges,
     failure_table,
     four_digits,
+    level_quantile_table,
     level_table,
     measure_unit,
     outcome_table,
@@ -83,7 +90,7 @@ def write_page(
     count = cells or max(4, min(MOST_CELLS, math.isqrt(int(flown / FLIGHTS_EACH))))
     taken = set[str]()
     drawn = [_pictures(found.campaign, one, pairs, count, taken) for one in reports]
-    limits = [_limit_blocks(one, taken) for one in worst_cases]
+    limits = [_limit_blocks(found.campaign, one, taken) for one in worst_cases]
     written = []
     pictured = [block for blocks in (*drawn, *limits) for block in blocks]
     for block in (block for block in pictured if isinstance(block, FigureBlock)):
@@ -159,7 +166,7 @@ def words_of_map(x: str, y: str) -> str:
     return WORDS.say("map_success", x=_plain(x), y=_plain(y))
 
 
-def _limit_blocks(found: WorstCase | WorstCaseMap, taken: set[str]) -> Blocks:
+def _limit_blocks(campaign: Campaign, found: WorstCase | WorstCaseMap, taken: set[str]) -> Blocks:
     """Answer, figure and table of a worst case; ``taken`` as of `_pictures`."""
     if isinstance(found, WorstCase):
         names, name = [found.field.name], _plain(found.field.name)
@@ -174,7 +181,8 @@ def _limit_blocks(found: WorstCase | WorstCaseMap, taken: set[str]) -> Blocks:
     lines = _entries(*answer_table(found))
     caption = WORDS.say("worst_case_table", field=name)
     numbers = table(caption, [str(word) for word in lines[0]], lines[1:], folded=True)
-    return (*_paragraphs(answer_lines(found)), picture, numbers)
+    doubts = worst_doubt_lines(campaign, found)
+    return (*_paragraphs([*answer_lines(found), *doubts]), picture, numbers)
 
 
 def _paragraphs(lines: Sequence[str]) -> list[str]:
@@ -193,7 +201,10 @@ def _level_blocks(found: FieldSummary) -> Blocks:
     lines = _entries(*level_table(found))
     caption = WORDS.say("levels", field=_plain(found.field.name))
     outcomes = table(caption, [str(word) for word in lines[0]], lines[1:])
-    return (outcomes, *(f"{_plain(pair.sentence())}." for pair in found.pairs))
+    lines = _entries(*level_quantile_table(found))
+    caption = WORDS.say("level_quantiles", field=_plain(found.field.name))
+    quantiles = table(caption, [str(word) for word in lines[0]], lines[1:], folded=True)
+    return (outcomes, *(f"{_plain(pair.sentence())}." for pair in found.pairs), quantiles)
 
 
 def _sections(
@@ -218,7 +229,7 @@ def _sections(
             "refusal": f": {found.refusal}" if found.refusal else "",
             "untouched": _plain(untouched_line(found.campaign)),
             "pressing": _plain(pressing_line(found.campaign)),
-            "pierced": _plain(pierced_line(found.campaign)),
+            "pierced": [f"{line}." for line in _with_command(pierced_lines(found.campaign))],
             "pairs": [_plain(pair.sentence()) + "." for pair in found.pairs],
             "first": [pictures[name] for name in ("marginals",) if name in pictures],
         },
@@ -229,21 +240,27 @@ def _sections(
             "refusal": f"Indices are missing: {_plain(refusal)}." if refusal else "",
         },
         "failures": {
-            "failed": replays.failed, "listed": len(replays.rows),
-            "flights": _replays(replays) if replays.rows else [],
+            "failed": replays.failed, "peak": _plain(PEAK), "most": MOST,
+            **{name: _replays(replays, rows) if rows else [] for name, rows in (
+                ("flights", replays.rows), ("hardest", replays.hardest), ("kept", replays.kept)
+            )},
+            "doubt": any(row["in_doubt"] for row in (*replays.rows, *replays.hardest)),
         },
         "measures": {**confidence, "quantiles": _entries(*quantile_table(found.robots))},
         "fields": {"maps": [block for name, block in pictures.items() if name.startswith("map-")]},
     }  # fmt: skip
     own = [
-        _measure_section(one, blocks) for one, blocks in zip(reports[1:], drawn[1:], strict=True)
+        _measure_section(found.campaign, one, blocks)
+        for one, blocks in zip(reports[1:], drawn[1:], strict=True)
     ]
     sections = WORDS.sections({name: held for name, held in content.items() if any(held.values())})
     after = 1 + [section.anchor for section in sections].index("measures")
     return [*sections[:after], *own, *sections[after:]]
 
 
-def _measure_section(one: MeasureReport, blocks: Sequence[FigureBlock]) -> Section:
+def _measure_section(
+    campaign: Campaign, one: MeasureReport, blocks: Sequence[FigureBlock]
+) -> Section:
     """Section of a measure."""
     assert one.distribution is not None
     measure, unit = one.distribution.measure, measure_unit(one.distribution)
@@ -252,6 +269,7 @@ def _measure_section(one: MeasureReport, blocks: Sequence[FigureBlock]) -> Secti
     caption = f"{name} [{unit.symbol}]"
     lines = _entries(head, rows)
     said = [WORDS.say("measure", meaning=measure.meaning[:1].upper() + measure.meaning[1:])]
+    said += [f"{_plain(line)}." for line in doubt_lines(campaign, measure.name)]
     refusal = one.sensitivity.refusal
     said += [WORDS.say("no_indices", why=_plain(refusal))] * bool(refusal)
     return Section(
@@ -260,9 +278,14 @@ def _measure_section(one: MeasureReport, blocks: Sequence[FigureBlock]) -> Secti
     )  # fmt: skip
 
 
-def _replays(found: FailureList) -> list[Sequence[Entry]]:
+def _with_command(lines: Sequence[str]) -> list[str]:
+    """Lines for people, but for the last, which is a command to type."""
+    return [*map(_plain, lines[:-1]), *lines[-1:]]
+
+
+def _replays(found: FailureList, listed: Sequence[Mapping[str, Any]]) -> list[Sequence[Entry]]:
     """Table of flights with the commands that replay them."""
-    head, rows = failure_table(found)
+    head, rows = failure_table(found, listed)
     lines = ([row[0], TableCell(row[1], code=True), *map(_entry, row[2:])] for row in rows)
     return [list(map(_plain, head)), *lines]
 

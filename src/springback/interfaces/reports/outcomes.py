@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from springback.campaign.access import Campaign
 from springback.campaign.analysis.distribution import PARTS as DISTRIBUTION
 from springback.campaign.analysis.distribution import MeasureDistribution
-from springback.campaign.analysis.failures import FailureList
+from springback.campaign.analysis.failures import PEAK, FailureList
 from springback.campaign.analysis.levels import FieldSummary
 from springback.campaign.analysis.sensitivity import Sensitivity
 from springback.campaign.analysis.statistics import PARTS, RobotSummary
@@ -59,16 +59,32 @@ def level_table(found: FieldSummary) -> Rows:
 
 def quantile_table(robots: Sequence[RobotSummary]) -> Rows:
     """Table of quantiles, a row for each measure and robot."""
+    return _quantile_rows([((robot.robot,), robot) for robot in robots], ["robot"])
+
+
+def level_quantile_table(found: FieldSummary) -> Rows:
+    """Table of quantiles, a row for each measure, level of a field and robot."""
+    named = [
+        ((cell_text(found.field, *found.field.bounds(level)), one.robot), one)
+        for level, robots in found.levels.items() for one in robots
+    ]  # fmt: skip
+    return _quantile_rows(named, [found.field.name, "robot"])
+
+
+def _quantile_rows(
+    named: Sequence[tuple[tuple[str, ...], RobotSummary]], of: Sequence[str]
+) -> Rows:
+    """Table of quantiles; ``of`` are the heads of the names of each summary."""
     rows: list[tuple[Any, ...]] = []
-    for name in dict.fromkeys(name for robot in robots for name in robot.measures):
-        found = [(robot.robot, *robot.measures[name]) for robot in robots if name in robot.measures]
+    for name in dict.fromkeys(name for _, one in named for name in one.measures):
+        found = [(names, *one.measures[name]) for names, one in named if name in one.measures]
         values = [each.value for _, _, quantiles in found for each in quantiles]
         unit = display_unit(known_columns()[name][0], values)
         rows += [
-            (f"{name} [{unit.symbol}]", robot, count, *_quantiles(quantiles, unit.factor))
-            for robot, count, quantiles in found
+            (f"{name} [{unit.symbol}]", *names, count, *_quantiles(quantiles, unit.factor))
+            for names, count, quantiles in found
         ]
-    head = ["measure", "robot", "flights", *(f"{100 * part:g} %" for part in PARTS)]
+    head = ["measure", *of, "flights", *(f"{100 * part:g} %" for part in PARTS)]
     return [*head, "95 % interval of the median"], rows
 
 
@@ -105,24 +121,33 @@ def _index_text(index: IntervalEstimate) -> str:
     return f"{index.value:.2f} ({index.low:.2f} to {index.high:.2f})"
 
 
-def failure_table(found: FailureList) -> Rows:
-    """Table of flights to replay, with the command that does so."""
-    units = {name: display_unit(found.campaign.units.get(name, "")) for name in found.fields}
+def failure_table(found: FailureList, listed: Sequence[Mapping[str, Any]]) -> Rows:
+    """Table of flights to replay, with the command that does so.
+
+    Args:
+        found: With units and commands.
+        listed: One of its lists of rows.
+    """
+    columns = (PEAK, *found.fields)
+    units = {name: display_unit(found.campaign.units.get(name, "")) for name in columns}
     words = {one.column for one in found.campaign.design.dimensions if one.text}
-    head = ["flight", "replay", "robot", "outcome", "kept"]
-    head += [name if name in words else f"{name} [{units[name].symbol}]" for name in found.fields]
+    doubt = any(row["in_doubt"] for row in listed)
+    head = ["flight", "replay", "robot", "outcome", "kept", *["to be trusted"] * doubt]
+    head += [name if name in words else f"{name} [{units[name].symbol}]" for name in columns]
     rows = [
         (
             str(row["flight"]), found.command(row["flight"]), row["robot"], row["outcome"],
-            "yes" if row["kept"] else "no",
-            *(_field_text(row[name], units[name]) for name in found.fields),
+            "yes" if row["kept"] else "no", *["no" if row["in_doubt"] else "yes"] * doubt,
+            *(_field_text(row[name], units[name]) for name in columns),
         )
-        for row in found.rows
+        for row in listed
     ]  # fmt: skip
     return head, rows
 
 
 def _field_text(value: Any, unit: DisplayUnit) -> str:
+    if value is None:
+        return "-"
     return four_digits(value * unit.factor) if isinstance(value, float) else str(value)
 
 
