@@ -14,7 +14,7 @@ from springback.identification.design import coverage
 from springback.identification.design.coverage import _believed_fields, at_centres, displaced_fields
 from springback.identification.fits import base_scenario, fields_of_plan, read_flights
 from springback.identification.observations.likelihood import ImpactProblem
-from springback.identification.observations.noise import binned
+from springback.identification.observations.noise import residuals_in_bins
 from springback.identification.observations.windows import impact_window
 from springback.identification.settings import read_fit_plan
 from springback.identification.solving.fitting import fit_impact
@@ -47,7 +47,7 @@ def test_arms_that_are_locked_do_not_jump_in_the_cost() -> None:
 
 def test_bins_of_white_residuals_are_white() -> None:
     white = stream(1, Purpose.TRIAL, 0).standard_normal((4, 6001, 2))
-    found = binned(white, 3)
+    found = residuals_in_bins(white, 3)
     assert found.shape == (4, 2001, 2)
     assert np.var(found) == pytest.approx(1.0, rel=0.03)
     assert abs(np.mean(found[:, 1:] * found[:, :-1])) < 0.02
@@ -64,7 +64,7 @@ def test_when_a_small_step_came_has_fewer_answers_in_bins() -> None:
     for _ in nonempty(range(100)):
         read = 2.0 * np.clip(times - 30.3, 0.0, 1.0) + generator.standard_normal(60)
         for size in minima:
-            costs = (binned((read - steps)[..., None], size) ** 2).sum(axis=(1, 2))
+            costs = (residuals_in_bins((read - steps)[..., None], size) ** 2).sum(axis=(1, 2))
             least = (costs[1:-1] < costs[:-2]) & (costs[1:-1] < costs[2:])
             minima[size] += int((least & (costs[1:-1] < costs.min() + 8.0)).sum())
     assert minima[1] > 250

@@ -306,7 +306,7 @@ def _corners(solids: Sequence[SolidShape]) -> Array:
     )
 
 
-def _turned_by_impulse(points: Array, inverse: Array) -> float:
+def _turned_by_impulse(points: Array, inverse: Any) -> float:
     """Upper bound of the speed that an impulse gives its own point by turning a body [1/kg].
 
     The largest eigenvalue of [p]ᵀ I⁻¹ [p], with p ^ n = [p] n, is convex in p, and so largest at a

@@ -10,7 +10,7 @@ import numpy as np
 from springback.batch.sampled import StateSamples, sampled_flights
 from springback.errors import InputError
 from springback.identification.observations.channel_window import ChannelWindow
-from springback.identification.observations.noise import STUDENT, binned
+from springback.identification.observations.noise import STUDENT, residuals_in_bins
 from springback.identification.observations.sensor_chain import (
     ChannelChain,
     Interpolator,
@@ -327,7 +327,7 @@ class ImpactProblem:
             square = (white / STUDENT_SCALE) ** 2
             white = np.sign(white) * np.sqrt((STUDENT + 1.0) * np.log1p(square / STUDENT))
         if one.quantity == SPECIFIC_FORCE:
-            white = binned(white, self._bin_size(one.times))
+            white = residuals_in_bins(white, self._bin_size(one.times))
         return white.reshape(len(u), -1)
 
     def _bin_size(self, times: Array) -> int:

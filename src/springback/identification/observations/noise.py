@@ -95,7 +95,7 @@ class ChannelNoise(NamedTuple):
         return white
 
 
-def binned(white: Array, size: int) -> Array:
+def residuals_in_bins(white: Array, size: int) -> Array:
     """White residuals of successive samples, some in each bin: as white, and as wide.
 
     Where a prediction changes within one sample by no more than some deviations of the noise, when
