@@ -61,7 +61,7 @@ class ObstacleApproach(NamedTuple):
     before mean nothing then."""
 
 
-class _Way(NamedTuple):
+class _StraightWay(NamedTuple):
     """A way straight on, without turning."""
 
     start: Vec
@@ -111,17 +111,17 @@ def approach_ahead(scenario: ScenarioTables) -> ObstacleApproach | None:
     return None if found is None else _approach(scenario, way, *found)
 
 
-def _way_of(scenario: ScenarioTables) -> _Way | None:
+def _way_of(scenario: ScenarioTables) -> _StraightWay | None:
     start, reference = scenario.start, scenario.reference
     if isinstance(reference, RunUpSettings):
         tilt = Vec(math.sin(reference.pitch), 0.0, math.cos(reference.pitch))
         attitude = quaternion_of(heading(tilt, reference.yaw).axes)
-        return _Way(Vec(*reference.start), Vec(1.0, 0.0, 0.0), reference.speed, attitude)
+        return _StraightWay(Vec(*reference.start), Vec(1.0, 0.0, 0.0), reference.speed, attitude)
     velocity = Vec(*start.velocity)
     speed = float(norm(velocity))
     if not speed > 0.0:
         return None
-    return _Way(start.place(), velocity * (1.0 / speed), speed, start.attitude())
+    return _StraightWay(start.place(), velocity * (1.0 / speed), speed, start.attitude())
 
 
 def _balls(vehicle: Vehicle, attitude: Quat) -> list[_Ball]:
@@ -174,7 +174,7 @@ def _normal(shape: Any, point: Vec) -> Vec:
     return slope * (1.0 / size) if size > STEP else Vec(0.0, 0.0, 0.0)
 
 
-def _first_touch(shape: Any, way: _Way, balls: list[_Ball], nearer: float) -> _Touch | None:
+def _first_touch(shape: Any, way: _StraightWay, balls: list[_Ball], nearer: float) -> _Touch | None:
     """First touch of a ball that approaches a shape, nearer than a way [m]; None without one."""
     if isinstance(shape, Plane) and -(way.direction @ shape.normal) <= LEAST_CLOSING:
         return None
@@ -194,7 +194,9 @@ def _first_touch(shape: Any, way: _Way, balls: list[_Ball], nearer: float) -> _T
     return None
 
 
-def _approach(scenario: ScenarioTables, way: _Way, number: int, touch: _Touch) -> ObstacleApproach:
+def _approach(
+    scenario: ScenarioTables, way: _StraightWay, number: int, touch: _Touch
+) -> ObstacleApproach:
     entry, arms = scenario.world.obstacles[number], scenario.vehicle.arms
     into = touch.normal * -1.0
     ahead = into @ rotation(way.attitude)  # in body axes
