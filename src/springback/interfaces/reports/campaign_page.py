@@ -182,7 +182,8 @@ def _limit_blocks(campaign: Campaign, found: WorstCase | WorstCaseMap, taken: se
     caption = WORDS.say("worst_case_table", field=name)
     numbers = table(caption, [str(word) for word in lines[0]], lines[1:], folded=True)
     doubts = worst_doubt_lines(campaign, found)
-    return (*_paragraphs([*answer_lines(found), *doubts]), picture, numbers)
+    answers = [*_paragraphs(answer_lines(found)), *map(_sentence, doubts)]
+    return (*answers, picture, numbers)
 
 
 def _paragraphs(lines: Sequence[str]) -> list[str]:
@@ -229,7 +230,7 @@ def _sections(
             "refusal": f": {found.refusal}" if found.refusal else "",
             "untouched": _plain(untouched_line(found.campaign)),
             "pressing": _plain(pressing_line(found.campaign)),
-            "pierced": [f"{line}." for line in _with_command(pierced_lines(found.campaign))],
+            "pierced": _with_command(pierced_lines(found.campaign)),
             "pairs": [_plain(pair.sentence()) + "." for pair in found.pairs],
             "first": [pictures[name] for name in ("marginals",) if name in pictures],
         },
@@ -269,7 +270,7 @@ def _measure_section(
     caption = f"{name} [{unit.symbol}]"
     lines = _entries(head, rows)
     said = [WORDS.say("measure", meaning=measure.meaning[:1].upper() + measure.meaning[1:])]
-    said += [f"{_plain(line)}." for line in doubt_lines(campaign, measure.name)]
+    said += [_sentence(line) for line in doubt_lines(campaign, measure.name)]
     refusal = one.sensitivity.refusal
     said += [WORDS.say("no_indices", why=_plain(refusal))] * bool(refusal)
     return Section(
@@ -278,9 +279,15 @@ def _measure_section(
     )  # fmt: skip
 
 
+def _sentence(line: str) -> str:
+    """A line of the terminal as a sentence."""
+    return f"{line[:1].upper()}{_plain(line[1:])}."
+
+
 def _with_command(lines: Sequence[str]) -> list[str]:
-    """Lines for people, but for the last, which is a command to type."""
-    return [*map(_plain, lines[:-1]), *lines[-1:]]
+    """Sentences, but for the last line, whose command is typed as it is."""
+    told = [f"{_plain(line)}." for line in lines[:-1]]
+    return [*told, *(line[:1].upper() + line[1:] for line in lines[-1:])]
 
 
 def _replays(found: FailureList, listed: Sequence[Mapping[str, Any]]) -> list[Sequence[Entry]]:
