@@ -63,9 +63,10 @@ SCALE, TURN = "accelerometer scale", "accelerometer misalignment"
 #: then jumps by 2, and has several optima.
 STILL_ARM, STILL_RATE = 1e-8, 1e-6
 #: Samples of an accelerometer that are compared by their mean, at most, and bins of a contact at
-#: least (chosen: of sets of examples/fit.toml, samples alone leave two optima in five of 14, and
-#: 95 % intervals of five fields with the truth in 95, 86, 90, 95 and 83 % of 60; three leave two in
-#: one of 16, 93, 92, 93, 92 and 90 %, and intervals wider by 2 to 20 %).
+#: least (chosen: of sets of examples/fit.toml, samples alone leave two optima in five of 14, means
+#: of four in one of 16; of 60 sets, 95 % intervals of five fields have the truth in 95, 86, 90, 95
+#: and 83 % with samples alone, in 93, 92, 93, 92 and 90 % with means of three, which make standard
+#: errors wider by 4 to 24 %, as in three sets).
 BINNED, BINS = 3, 6
 #: Latents of the corner of a low-pass.
 CORNER = {
