@@ -39,13 +39,15 @@ PHYSICS = tests/contact tests/dynamics tests/vehicle
 
 pytest:
 	$(BIN)/pytest $(PARALLEL) -m "not rare" tests/simulation
-	$(BIN)/pytest $(PARALLEL) $(PHYSICS)
-	$(BIN)/pytest $(PARALLEL) $(addprefix --ignore=,tests/simulation $(PHYSICS))
+	$(BIN)/pytest $(PARALLEL) -m "not rare" $(PHYSICS)
+	$(BIN)/pytest $(PARALLEL) -m "not rare" $(addprefix --ignore=,tests/simulation $(PHYSICS))
 
-# Kinds of flight that few users fly, and that compile for a minute or more each: a quarter of an hour.
+# What `make test` leaves out: kinds of flight that compile for half a minute or more each, where
+# others of their table are flown.  Before a release: an hour.
 rare:
 	@tools/environment dev
 	$(BIN)/pytest $(PARALLEL) -m rare tests/simulation
+	$(BIN)/pytest $(PARALLEL) -m rare --ignore=tests/simulation
 
 # Two minutes, kernels compiled: all but slow tests and those in a browser.
 quick:

@@ -30,7 +30,7 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
     for item in items:
         file, _, name = item.nodeid.partition("::")
         place = item.path.relative_to(HERE).as_posix() if item.path.is_relative_to(HERE) else file
-        whole = f"{place}::{name.partition('[')[0]}"
+        whole = f"{place}::{name}"
         for mark, places in (
             ("slow", SLOW),
             ("browser", BROWSER),

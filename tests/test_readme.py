@@ -17,6 +17,7 @@ from pathlib import Path
 
 import pytest
 
+from builders.cases import nonempty
 from builders.interrupts import heed_interrupts
 from builders.typed_lines import Typed, typed
 from springback.extras import packages
@@ -32,6 +33,8 @@ SERVES = ("view", "lab")
 IN_SENTENCES = ("show", "doctor")
 #: What `make run` does first, for some minutes.
 COMPILES_ALL = "springback doctor --compile"
+#: Programs that fly many kinds of flight, and compile each.
+MANY_KINDS = "springback study "
 #: Of one line; compiling on a busy machine included [s].
 PATIENCE = 1500.0
 
@@ -104,16 +107,25 @@ def followed(this: Typed, folder: Path) -> None:
 
 @pytest.mark.timeout(3 * PATIENCE)
 def test_readme_runs_from_top_to_bottom_in_an_empty_folder(tmp_path: Path) -> None:
-    """Every line, in order, with the files that the lines before it left."""
-    todo = lines()
+    """Every line but studies, in order, with the files that the lines before it left."""
+    todo = [this for this in lines() if not this.text.startswith(MANY_KINDS)]
     commands = [this.text.split()[1] for this in todo if this.kind == "shell"]
-    assert {"examples", "fly", "map", "study", "view", "animate", "lab"} <= set(commands)
+    assert {"examples", "fly", "map", "view", "animate", "lab"} <= set(commands)
     assert {"campaign", "query", "summary", "refly"} <= set(commands)
     assert sum(this.kind == "python" for this in todo) == 1
     for this in todo:
         followed(this, tmp_path)
     for file in ("results/summary.json", "collision.gif", "many/plan.json", "page/summary.html"):
         assert (tmp_path / file).is_file(), file
+
+
+@pytest.mark.timeout(3 * PATIENCE)
+def test_studies_of_the_readme_run_in_an_empty_folder(tmp_path: Path) -> None:
+    """Each line, which needs no file of another."""
+    todo = nonempty(this for this in lines() if this.text.startswith(MANY_KINDS))
+    for this in todo:
+        followed(this, tmp_path)
+        assert (tmp_path / this.text.partition(" --out ")[2].split()[0]).is_dir()
 
 
 @pytest.mark.parametrize("page", ["README.md", "docs/start.md"])

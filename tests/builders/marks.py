@@ -1,8 +1,9 @@
 """Which tests are slow, need a browser, fly the paper's experiments or follow the pages: by their place.
 
-A place is a folder, a file, or a test and all its parameters, below `tests`.
+A place is a folder, a file, a test with all its parameters, or with one set of them, below `tests`.
 """
 
+LANES = "test_compiled_and_in_a_campaigns_lanes_it_is_the_same_flight"
 BROWSER = (
     "interfaces/lab/test_browser_lab.py",
     "interfaces/reports/test_browser_summary.py",
@@ -90,17 +91,64 @@ SLOW = (
     "test_readme.py",
     "test_wheel.py",
 )
-#: Kinds of flight that few users fly, of which each compiles for a minute or more what nothing else
-#: needs: `make rare`, before a release.  Their parts are flown one by one in the others.
+#: Kinds of flight of which each compiles for half a minute or more what nothing else needs, where
+#: their parts, or others of their table, are flown: `make rare`, before a release.
 RARE = (
+    "attack/test_corners.py::test_every_corner_is_flown_or_refused[piloted]",
+    "batch/test_sampled.py::test_exponents_of_other_types_are_flown_beside_each_other",
+    "batch/test_scenarios.py::test_flights_are_those_flown_alone[unguided]",
+    "campaign/test_own_code.py::test_own_sensing_flies_in_lanes_as_alone",
+    "identification/test_arms_at_ends.py::test_hinged_arms_that_open_are_replayed_within_the_uncertainty",
+    "identification/test_law_comparison.py::test_an_elastic_law_predicts_worse_than_the_true_one_and_the_same_one_as_well",
+    "identification/test_sensitivity.py::test_the_planner_says_that_navis_bumpers_hide_the_wall",
+    "interfaces/lab/test_lab_joints.py::test_an_impact_begins_where_raised_cages_and_their_hulls_are_near_the_wall",
+    "interfaces/output/test_no_contact.py::test_a_ball_that_misses_says_how_near_it_came_and_what_to_change",
+    "scenario/test_bent_start.py::test_in_a_batch_it_is_the_same_flight",
+    "scenario/test_second.py::test_what_cannot_fly_together_is_refused[its hull of points]",
+    "simulation/test_broken_guards.py::test_many_flights_break_as_each_does_alone",
+    "simulation/test_broken_guards.py::test_the_second_hit_is_softer",
     "simulation/test_broken_guards.py::test_under_every_law_the_energy_closes",
+    *(
+        f"simulation/test_combinations.py::{LANES}[{one}]"
+        for one in (
+            "impulse-ring-both-hybrid-free-cages",
+            "impulse-ring-both-hybrid-pilot-hull",
+            "kelvin-voigt-paper-vertical-rigid-free-hull",
+            "hertz-ring-vertical-always-free-free-cages",
+            "softening-ring-vertical-hybrid-free-cages",
+            "constant-restitution-ring-both-hybrid-pilot-hull",
+            "foam-paper-vertical-always-free-free-cages",
+            "table-ring-both-rigid-slider-hull",
+        )
+    ),
+    "simulation/test_gpu.py::test_single_precision_is_single_throughout",
+    "simulation/test_hulls_fly.py::test_a_ring_at_the_end_of_an_arm_is_a_cage",
     "simulation/test_hulls_meet_movers.py::test_a_hull_and_a_free_ball_keep_their_momentum",
     "simulation/test_hulls_meet_movers.py::test_every_hull_meets_everything_that_moves",
+    f"simulation/test_joints_fly.py::{LANES}[universal",
     "simulation/test_laws_fly.py::test_a_wall_of_foam_that_moves_hits_a_robot",
+    "simulation/test_laws_fly.py::test_it_lies_still_on_foam_with_bristles",
+    "simulation/test_laws_fly.py::test_numbers_of_a_law_vary_in_a_campaign",
+    "simulation/test_laws_fly.py::test_posts_that_lie_along_a_face_keep_what_they_remember",
     "simulation/test_laws_fly.py::test_two_robots_bounce_with_a_constant_restitution",
+    "simulation/test_limits.py::test_each_of_two_joints_has_its_own_limit",
+    "simulation/test_limits.py::test_many_flights_break_as_each_does_alone",
+    "simulation/test_listed_rotors_fly.py::test_a_coaxial_octocopter_hovers",
+    "simulation/test_listed_rotors_fly.py::test_executors_agree_bit_for_bit",
+    "simulation/test_listed_rotors_fly.py::test_guards_and_discs_stop_all_eight",
+    "simulation/test_listed_rotors_fly.py::test_the_ledger_closes[hinges]",
     "simulation/test_moving.py::test_gaps_of_each_obstacle_are_told_however_many_move",
+    "simulation/test_pairs.py::test_every_hull_meets_every_hull_of_the_other",
     "simulation/test_pairs_that_fold.py",
     "simulation/test_rest.py::test_a_robot_rides_on_a_plate_that_swings",
+    "simulation/test_rotor_stop_flights.py::test_limits_that_nothing_reaches_change_nothing",
+    "simulation/test_stops_fly.py::test_the_ledger_of_arms_at_their_stops_closes[morphy-constant-restitution]",
+    "simulation/test_stops_fly.py::test_the_ledger_of_arms_at_their_stops_closes[xplorer-",
+    "test_examples.py::test_the_two_vehicles_of_the_example_meet_and_the_first_recovers",
+    "test_examples.py::test_what_a_page_says_to_type_works[docs/howto/hulls.md]",
+    "test_examples.py::test_what_a_page_says_to_type_works[docs/howto/moving_obstacle.md]",
+    "test_examples.py::test_what_a_page_says_to_type_works[docs/howto/vehicle.md]",
+    "test_readme.py::test_studies_of_the_readme_run_in_an_empty_folder",
 )
 #: Longest files first, so that no worker is left with one at the end.
 FIRST = ("test_readme.py", "test_examples.py")

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import itertools
 from typing import Any
 
 import numpy as np
 import pytest
 
+from builders.cases import pairwise_combinations
 from springback.batch.scenarios import fly_scenarios
 from springback.results.flight import as_scenario, fly
 from springback.simulation.measuring.measures import Outcome
@@ -91,27 +91,6 @@ NEIGHBOURS = ("alone", "springs")
 CHOICES = (JOINTS, LAWS, MODES, GUIDES, PARTS, OBSTACLES, NEIGHBOURS)
 
 
-def _pairwise() -> list[tuple[str, ...]]:
-    """Combinations in which every two values of two settings meet, chosen greedily."""
-    everything = list(itertools.product(*map(tuple, CHOICES)))
-    missing = {
-        (i, a, j, b)
-        for (i, first), (j, second) in itertools.combinations(enumerate(CHOICES), 2)
-        for a, b in itertools.product(first, second)
-    }
-
-    def pairs(one: tuple[str, ...]) -> set[tuple[int, str, int, str]]:
-        numbered = itertools.combinations(enumerate(one), 2)
-        return {(i, a, j, b) for (i, a), (j, b) in numbered}
-
-    found = []
-    while missing:
-        best = max(everything, key=lambda one: len(pairs(one) & missing))
-        missing -= pairs(best)
-        found.append(best)
-    return found
-
-
 def scenario(
     joint: str,
     law: str,
@@ -164,7 +143,7 @@ def scenario(
     return tables
 
 
-COMBINATIONS = _pairwise()
+COMBINATIONS = pairwise_combinations(CHOICES)
 
 
 def test_every_pair_of_choices_is_flown() -> None:
