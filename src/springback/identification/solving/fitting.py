@@ -119,6 +119,7 @@ def fit_impact(
             "check obstacle, frames and units"
         )
     while starts > 1 and tried < len(first) and rough.costs.min() > POOR * rough.residuals.shape[1]:
+        searching = told.searching(starts, MOST_ROUNDS, tried)
         other = _searched(problem, first[tried : tried + starts], searching)
         tried += starts
         if other.costs.min() < rough.costs.min():

@@ -51,14 +51,16 @@ class SearchProgress:
         self.tell(f"{self.name}: {doing}, {self.flown()} flights so far")
         self.progress(self.share)
 
-    def searching(self, starts: int, most: int) -> Watch:
+    def searching(self, starts: int, most: int, before: int = 0) -> Watch:
         """Watch of the search from some starts.
 
         Args:
             starts: Number of them.
             most: Most rounds.
+            before: Number of starts all of which ended far from the data.
         """
-        of = f"search from {starts} start{'s' if starts > 1 else ''}"
+        further = "further " if before else ""
+        of = f"search from {starts} {further}start{'s' if starts > 1 else ''}"
         self.say(of, 0.0)
 
         def watch(turn: int, left: int) -> None:
