@@ -10,7 +10,7 @@ import inspect
 import itertools
 import math
 import textwrap
-from collections.abc import Iterator
+from functools import cache
 from typing import Any, NamedTuple
 
 from springback.errors import InputError
@@ -125,10 +125,11 @@ def meanings(table: type[Settings]) -> dict[str, str]:
     return told
 
 
-def _statements(cls: type) -> Iterator[tuple[ast.stmt, ast.stmt]]:
+@cache
+def _statements(cls: type) -> list[tuple[ast.stmt, ast.stmt]]:
     """Every statement in the body of a class with the one that follows it."""
     body = ast.parse(textwrap.dedent(inspect.getsource(cls))).body[0]
-    return itertools.pairwise(body.body if isinstance(body, ast.ClassDef) else [])
+    return list(itertools.pairwise(body.body if isinstance(body, ast.ClassDef) else []))
 
 
 def words_for(name: str, field: TableField) -> str:
