@@ -38,7 +38,7 @@ from springback.kernels.packaged.manifest import (
     fitting_kernels,
     status_text,
 )
-from springback.kernels.pipeline import LaneCompiler
+from springback.kernels.passes.pipeline import LaneCompiler
 
 #: Parts of numba without type stubs.
 _overload: Any = numba.extending.overload

@@ -8,41 +8,29 @@ needs no passes over them.  The results of an entry point are, bit by bit, the s
 
 from __future__ import annotations
 
-import contextlib
 import copy
 import importlib
-from types import CodeType, FunctionType, SimpleNamespace
+from types import CodeType
 from typing import Any
 
 from llvmlite import ir as llvm
 from llvmlite.binding import Linkage, create_new_module_pass_manager
 from numba.core import (
-    analysis,
-    base,
     callconv,
     cgutils,
     codegen,
     compiler,
     compiler_machinery,
-    config,
     cpu,
-    dispatcher,
-    errors,
-    event,
     ir,
     lowering,
-    postproc,
-    target_extension,
-    targetconfig,
-    transforms,
     typed_passes,
     types,
     untyped_passes,
-    utils,
 )
-from numba.core import typing as typing_rules
 from numba.core.imputils import user_function
-from numba.core.typing import npydecl
+
+from springback.kernels.passes import shortcuts
 
 #: Parts of numba with incomplete type stubs, or none.
 _register_pass: Any = compiler_machinery.register_pass
@@ -68,226 +56,7 @@ _IDLE = {
     untyped_passes.LiteralUnroll, untyped_passes.InlineInlinables,
 }  # fmt: skip
 
-
-#: In which process a type's hash was computed: one that is read from a file has another's.
-_HERE = object()
-
-
-def _hash_once(kind: Any) -> int:
-    """Hash of a type of tuples, which numba computes again, branch by branch, at every look-up."""
-    known: tuple[object, int] | None = kind.__dict__.get("_hashed")
-    if known is None or known[0] is not _HERE:
-        known = kind._hashed = (_HERE, hash(kind.key))
-    return known[1]
-
-
-def _is_same(kind: Any, other: Any) -> bool:
-    """Equality of types of tuples, of which there mostly is one object each."""
-    return kind is other or (kind.__class__ is other.__class__ and kind.key == other.key)
-
-
-_TUPLES: Any = (types.Tuple, types.UniTuple, types.NamedTuple, types.NamedUniTuple)
-for _kind in _TUPLES:
-    _kind.__hash__, _kind.__eq__ = _hash_once, _is_same  # a tenth of the time to compile
-
-
-def _untimed(kind: str, callback: Any) -> Any:
-    """No timer for a kernel that is compiled, which would be told of every call of LLVM."""
-    return contextlib.nullcontext()
-
-
-def _heard(told: Any) -> Any:
-    """An event of the compiler that is made if somebody listens."""
-
-    def tell(kind: str, *given: Any, **named: Any) -> None:
-        if _LISTENERS.get(kind):
-            told(kind, *given, **named)
-
-    return tell
-
-
-def _same_flags(flags: Any, other: Any) -> Any:
-    """Equality of the compiler's flags; mostly the same are set to the same."""
-    if flags is other:
-        return True
-    if type(flags) is type(other) and flags._values == other._values:
-        return True
-    return _compare_flags(flags, other)
-
-
-def _hash_of_flags(flags: Any) -> int:
-    """Hash of the compiler's flags: as numba's own, the same for all of a class."""
-    return hash(type(flags))
-
-
-def _array_operator(rule: Any, arguments: Any, named: Any) -> Any:
-    """Type of an operation on arrays; numba looks through NumPy's first if there is one."""
-    if any(isinstance(kind, _ARRAYS) for kind in arguments):
-        return _type_of_operation(rule, arguments, named)
-    return None
-
-
-def _asks_for_place(function: Any) -> bool:
-    """True if a function has an argument ``loc``; numba makes its whole signature to look."""
-    if type(function) is not FunctionType or hasattr(function, "__wrapped__"):
-        asks: bool = _asks(function)
-        return asks
-    code = function.__code__
-    return "loc" in code.co_varnames[: code.co_argcount + code.co_kwonlyargcount]
-
-
-def _variables(statement: Any, value: Any) -> list[Any]:
-    """Variables within a part of a statement, as numba's own, with fewer calls."""
-    kind = type(value)
-    if kind is not dict:
-        found: list[Any] = _list_variables(statement, value)
-        return found
-    listed = []
-    for part in value.values():
-        if type(part) is ir.Var:
-            listed.append(part)
-        elif type(part) not in _PLAIN:
-            listed.extend(_list_variables(statement, part))
-    return listed
-
-
-def _call_type(function: Any, context: Any, arguments: Any, named: Any) -> Any:
-    """Signature of a call; numba tries each template twice, and describes why it does not match."""
-    plain = tuple(map(types.unliteral, arguments))
-    if named or any(isinstance(kind, types.Poison) for kind in plain):
-        return _type_of_call(function, context, arguments, named)
-    literal = any(a is not b for a, b in zip(plain, arguments, strict=True))
-    target = _local_target(context)
-    for template in _by_target(target, function.templates, function.key[0]):
-        tried = template(context)
-        choices = (plain, arguments) if literal else (arguments,)
-        for given in reversed(choices) if tried.prefer_literal else choices:
-            with contextlib.suppress(errors.NumbaError):
-                signature = tried.apply(given, named)
-                if signature is not None:
-                    function._impl_keys[signature.args] = tried.get_impl_key(signature)
-                    return signature
-    return _type_of_call(function, context, arguments, named)  # which says why none matches
-
-
-def _by_target(target: Any, templates: Any, fnkey: str = "") -> Any:
-    """Templates that a target can use, the most specific first."""
-    key = (target, *templates)
-    if key not in _ORDERS:
-        _ORDERS[key] = _order_by_target(target, templates, fnkey)
-    return _ORDERS[key]
-
-
-def _options(flags: Any) -> dict[str, Any]:
-    """Values of all the compiler's flags."""
-    kind = type(flags)
-    if kind not in _DEFAULTS:
-        _DEFAULTS[kind] = {name: option.default for name, option in kind.options.items()}
-    return {**_DEFAULTS[kind], **flags._values}
-
-
-def _run_pass(manager: Any, index: int, step: Any, state: Any) -> None:
-    """A pass; numba first writes the types of all arguments out, for who may listen."""
-    if _LISTENERS.get("numba:run_pass") or _PRINTED:
-        _run_pass_heard(manager, index, step, state)
-        return
-    step.analysis = manager._analysis
-    with _errors.new_error_context("Pass {name}", name=step.name()):
-        mutated = step.run_initialization(state)
-        mutated |= step.run_pass(state)
-        mutated |= step.run_finalizer(state)
-    if mutated and _registry_of_passes.get(type(step)).mutates_CFG:
-        _postproc.PostProcessor(state.func_ir).run()
-
-
-def _post_process(processor: Any, emit_dels: bool = False, extend_lifetimes: bool = False) -> None:
-    """Put blocks in order; which variables live on between them is known when that is asked for."""
-    code = processor.func_ir
-    if code.is_generator:
-        _post_process_all(processor, emit_dels, extend_lifetimes)
-        return
-    code.blocks = _canonical(code.blocks)
-    code.variable_lifetime = _postproc.VariableLifetime(code.blocks)
-    code.block_entry_vars, code.generator_info = {}, None
-    if emit_dels:
-        processor._insert_var_dels(extend_lifetimes=extend_lifetimes)
-
-
-def _entry_variables(code: Any, block: Any) -> Any:
-    """Variables that may live at the beginning of a block."""
-    if block not in code.block_entry_vars:
-        lives = code.variable_lifetime
-        found = _live_variables(
-            lives.cfg, code.blocks, lives.usedefs.defmap, lives.deadmaps.combined
-        )
-        code.block_entry_vars.update((one, found[at]) for at, one in code.blocks.items())
-    return code.block_entry_vars[block]
-
-
-def _load_registries(context: Any) -> None:
-    """What other modules teach the compiler; numba imports them all again each time."""
-    if not _REGISTRIES:
-        _load_all_registries(context)
-        _REGISTRIES.extend(context._registries)
-        return
-    _start_runtime(context)
-    for registry in _REGISTRIES:
-        context.install_registry(registry)
-
-
-#: What numba does for each kernel that it compiles, a thousand times for a flight, is done with
-#: fewer steps here: a fifth of the time to compile.  Results are the same.
-_LISTENERS: Any = event._registered
-_ARRAYS: Any = (types.ArrayCompatible, types.Optional)
-_PLAIN = {str, int, ir.Loc, type(None), bool}
-_compare_flags: Any = compiler.Flags.__eq__
-_type_of_operation: Any = npydecl.NumpyRulesArrayOperator.generic
-_list_variables: Any = ir.Inst._rec_list_vars
-_asks: Any = base._has_loc
-_patched: Any = compiler.Flags
-_patched.__eq__, _patched.__hash__ = _same_flags, _hash_of_flags
-_patched = npydecl.NumpyRulesArrayOperator
-_patched.generic = _array_operator
-_patched = ir.Inst
-_patched._rec_list_vars = _variables
-_patched = base
-_patched._has_loc = _asks_for_place
-_patched = event
-_patched.start_event, _patched.end_event = _heard(event.start_event), _heard(event.end_event)
-_type_of_call: Any = types.BaseFunction.get_call_type
-_local_target: Any = target_extension.get_local_target
-_order_by_target: Any = utils.order_by_target_specificity
-_run_pass_heard: Any = compiler_machinery.PassManager._runPass
-_post_process_all: Any = postproc.PostProcessor.run
-_load_all_registries: Any = cpu.CPUContext.load_additional_registries
-_start_runtime: Any = importlib.import_module("numba.core.runtime").rtsys.initialize
-_ORDERS: dict[Any, Any] = {}
-_DEFAULTS: dict[type, dict[str, Any]] = {}
-_REGISTRIES: list[Any] = []
-_live_variables: Any = analysis.compute_live_variables
-_canonical: Any = transforms.canonicalize_cfg
-_postproc: Any = postproc
-_registry_of_passes: Any = compiler_machinery._pass_registry
-#: Passes before or after which the code is printed, as whoever debugs the compiler asks.
-_WHEN = ("BEFORE", "AFTER", "WRAP")
-_PRINTED = {getattr(config, f"DEBUG_PRINT_{when}") for when in _WHEN} - {"none"}
-_errors: Any = errors
-_patched = types.BaseFunction
-_patched.get_call_type = _call_type
-for _patched in (utils, typing_rules.context):
-    _patched.order_by_target_specificity = _by_target
-_patched = targetconfig.TargetConfig
-_patched.values = _options
-_patched = compiler_machinery.PassManager
-_patched._runPass = _run_pass
-_patched = postproc.PostProcessor
-_patched.run = _post_process
-_patched = ir.FunctionIR
-_patched.get_block_entry_vars = _entry_variables
-_patched = cpu.CPUContext
-_patched.load_additional_registries = _load_registries
-_patched = dispatcher
-_patched.ev = SimpleNamespace(install_timer=_untimed, trigger_event=event.trigger_event)
+shortcuts.take()
 
 
 class _MayRaise(BaseException):

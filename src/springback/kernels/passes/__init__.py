@@ -1,0 +1,1 @@
+"""How kernels are compiled: the passes, and what they leave out."""
