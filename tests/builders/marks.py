@@ -91,8 +91,8 @@ SLOW = (
     "test_readme.py",
     "test_wheel.py",
 )
-#: Kinds of flight of which each compiles for half a minute or more what nothing else needs, where
-#: their parts, or others of their table, are flown: `make rare`, before a release.
+#: Kinds of flight of which each takes half a minute or more, mostly to compile what nothing else needs,
+#: where their parts, or others of their table, are flown: `make rare`, before a release.
 RARE = (
     "attack/test_corners.py::test_every_corner_is_flown_or_refused[piloted]",
     "batch/test_sampled.py::test_exponents_of_other_types_are_flown_beside_each_other",
@@ -146,6 +146,8 @@ RARE = (
     "simulation/test_pairs_that_fold.py",
     "simulation/test_rest.py::test_a_robot_rides_on_a_plate_that_swings",
     "simulation/test_rotor_stop_flights.py::test_limits_that_nothing_reaches_change_nothing",
+    "simulation/test_shapes_fly.py::test_every_shape_meets_every_setting[mesh]",
+    "simulation/test_shapes_fly.py::test_every_shape_meets_every_setting[union]",
     "simulation/test_stops_fly.py::test_the_ledger_of_arms_at_their_stops_closes[morphy-constant-restitution]",
     "simulation/test_stops_fly.py::test_the_ledger_of_arms_at_their_stops_closes[xplorer-",
     "test_examples.py::test_the_two_vehicles_of_the_example_meet_and_the_first_recovers",
@@ -155,4 +157,4 @@ RARE = (
     "test_readme.py::test_studies_of_the_readme_run_in_an_empty_folder",
 )
 #: Longest files first, so that no worker is left with one at the end.
-FIRST = ("test_readme.py", "test_examples.py")
+FIRST = ("test_readme.py", "test_examples.py", "test_shapes_fly.py", "test_hulls_fly.py")
