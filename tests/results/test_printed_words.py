@@ -40,7 +40,7 @@ def test_a_vehicle_without_cages_has_guards() -> None:
     flight = flown()
     texts = [repr(flight), *(event.text for event in flight.events)]
     assert any("guard 1 touches" in text for text in nonempty(texts))
-    assert "by guard 1, up to" in repr(flight)
+    assert "by guard 1, normal force up to" in repr(flight)
     assert not [text for text in texts if "cage" in text]
     with pytest.raises(InputError, match=r"puts the guard of arm 1 0\.02 m inside"):
         as_scenario(tables(start={"position": [0.8, 0.0, 1.0]}))
