@@ -42,7 +42,7 @@ from springback.dynamics.limbs.shell_impulse import (
     velocity_at,
 )
 from springback.dynamics.motion import LANDED, RESTING, Free, Motion, Slider, Work
-from springback.kernels.compiler import generic, rare_kernel
+from springback.kernels.compiler import generic, list_kernel, rare_kernel
 from springback.kernels.trees import fold, one_tuple, tree_map
 from springback.kernels.vectors import Mat3, Vec, positive_part, solve_symmetric
 from springback.vehicle.state import (
@@ -205,7 +205,7 @@ def _part(closing: float) -> float:
     return closing / (PARTS if closing > RESTING else RESTING_PARTS)
 
 
-@rare_kernel
+@list_kernel
 def apply_impulses(
     airframe: Airframe, world: World, contact_point: Any, guide: Any, motion: Motion
 ) -> Motion:

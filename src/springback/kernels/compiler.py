@@ -61,6 +61,7 @@ _UNCOUNTED: dict[str, Any] = {"forceinline": True, "_nrt": False, **_COMMON}
 INLINED: dict[str, Any] = {"fastmath": FINITE, **_UNCOUNTED}
 GUARDING: dict[str, Any] = {"fastmath": False, **_UNCOUNTED}
 STRICT: dict[str, Any] = {"fastmath": False, **_COMMON}
+CALLED_STRICTLY: dict[str, Any] = {**GUARDING, "forceinline": False}
 
 #: Exceptions that the compiler raises where it cannot translate a kernel.
 CompilerError: type[Exception] = NumbaError
@@ -83,12 +84,18 @@ def guard(function: F) -> F:
 
 
 def rare_kernel(function: F) -> F:
-    """Mark a kernel for rare events: compiled once and called, never inlined, strict about NaN.
+    """Mark a kernel for rare events: compiled once and called, never inlined, strict about NaN."""
+    registered: F = register_jitable(**CALLED_STRICTLY)(function)
+    return registered
 
-    It may hold lists.  Callees inherit their caller's flags unless they set them, so reference
-    counting, which kernels do without, is switched on here.
+
+def list_kernel(function: F) -> F:
+    """Mark a kernel for rare events that holds lists, as `rare_kernel`.
+
+    Callees inherit their caller's flags unless they set them, so reference counting, which kernels
+    do without, is switched on here.
     """
-    registered: F = register_jitable(**{**STRICT, "_nrt": True})(function)
+    registered: F = register_jitable(**{**CALLED_STRICTLY, "_nrt": True})(function)
     return registered
 
 

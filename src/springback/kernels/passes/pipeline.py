@@ -121,6 +121,7 @@ def _caller(described: Any, libraries: Any) -> Any:
 
 class _LowerForLanes(_Lower):  # type: ignore[misc]
     def setup_function(self, fndesc: Any) -> None:
+        self.library.function = fndesc.mangled_name
         super().setup_function(fndesc)
         set.update(self.function.attributes, _FOR_LANES)
 
@@ -129,6 +130,7 @@ class _LowerInlined(_LowerForLanes):
     """Lowering of kernels that are inlined and raise no error."""
 
     def setup_function(self, fndesc: Any) -> None:
+        self.library.function = fndesc.mangled_name
         self.function = _declared(self.context, self.module, fndesc)
         self.entry_block = self.function.append_basic_block("entry")
         self.builder = llvm.IRBuilder(self.entry_block)
@@ -151,8 +153,15 @@ class _LowerInlined(_LowerForLanes):
         self.builder.ret_void()
 
 
-class _InlinedLibrary(_Library):  # type: ignore[misc]
+class _KernelLibrary(_Library):  # type: ignore[misc]
     """Optimised code of a kernel, to link into its callers; no machine code is made of it."""
+
+    def __init__(self, codegen: Any, name: str, is_called: bool) -> None:
+        super().__init__(codegen, name)
+        #: True if the kernel stays a function in the entry point that calls it.
+        self.is_called, self.function = is_called, ""
+        #: Libraries of the called kernels beneath this one, each after one that calls it.
+        self.called: dict[_KernelLibrary, None] = {}
 
     def add_llvm_module(self, ll_module: Any) -> None:
         """Take the kernel's own code, which `finalize` simplifies."""
@@ -166,7 +175,9 @@ class _InlinedLibrary(_Library):  # type: ignore[misc]
         """
         for library in dict.fromkeys(self._linking_libraries):
             self._reload_init.update(library._reload_init)
-            self._final_module.link_in(library._get_module_for_linking(), preserve=True)
+            self.called.update(_called(library))
+            if library not in self.called:
+                self._final_module.link_in(library._get_module_for_linking(), preserve=True)
         passes = create_new_module_pass_manager()
         passes.add_always_inliner_pass()
         passes.add_sroa_pass()
@@ -181,6 +192,35 @@ class _InlinedLibrary(_Library):  # type: ignore[misc]
         self._shared_module, self._finalized = self._final_module, True
 
 
+def _called(library: Any) -> dict[_KernelLibrary, None]:
+    """Libraries of called kernels that an entry point needs for what is in a library."""
+    if not isinstance(library, _KernelLibrary):
+        return {}
+    return {library: None, **library.called} if library.is_called else library.called
+
+
+class _EntryLibrary(_Library):  # type: ignore[misc]
+    """Machine code of an entry point, or of a kernel with lists, and of all that it calls.
+
+    Called kernels are linked here, once each, and are its own: the compiler then knows all their
+    callers, such as the number of lanes with which they are called.
+    """
+
+    def finalize(self) -> None:
+        """Link what is called, optimise the whole, and make machine code of it."""
+        for library in list(self._linking_libraries):
+            self._linking_libraries.extend(_called(library))
+        super().finalize()
+
+    def _optimize_final_module(self) -> None:
+        libraries = self._linking_libraries
+        kernels = {one.function for one in libraries if isinstance(one, _KernelLibrary)}
+        for function in self._final_module.functions:
+            if function.name in kernels and not function.is_declaration:
+                function.linkage = "internal"
+        super()._optimize_final_module()
+
+
 @_register_pass(mutates_CFG=True, analysis_only=False)
 class _LoweringForLanes(_NativeLowering):  # type: ignore[misc]
     _name = "lowering_for_lanes"
@@ -192,7 +232,9 @@ class _LoweringForLanes(_NativeLowering):  # type: ignore[misc]
 
     def run_pass(self, state: Any) -> bool:
         self._lowering = _LowerForLanes  # one instance serves all compilations
-        if state.flags.nrt:  # an entry point, or a kernel for rare events
+        if state.flags.nrt:  # an entry point, or a kernel with lists
+            state.library = _EntryLibrary(state.targetctx.codegen(), state.func_id.func_qualname)
+            state.library.enable_object_caching()
             return bool(super().run_pass(state))
         context, state.flags.no_compile = state.targetctx, True
         try:
@@ -219,7 +261,8 @@ class _LoweringForLanes(_NativeLowering):  # type: ignore[misc]
         """
         context = state.targetctx
         self._lowering = lowering
-        state.library = _InlinedLibrary(context.codegen(), state.func_id.func_qualname)
+        name, is_called = state.func_id.func_qualname, not state.flags.forceinline
+        state.library = _KernelLibrary(context.codegen(), name, is_called)
         if lowering is _LowerInlined:
             state.targetctx = copy.copy(context)
             state.targetctx.__class__ = _KernelContext
