@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -10,7 +11,15 @@ from numba import njit, typeof
 from numba.core.compiler_lock import global_compiler_lock
 
 from builders.cases import nonempty
-from springback.kernels.compiler import STRICT, executor, generic, kernel
+from springback.kernels.compiler import (
+    STRICT,
+    called_kernel,
+    executor,
+    generic,
+    kernel,
+    list_kernel,
+    rare_kernel,
+)
 from springback.kernels.gpu.nvptx import device_function, lower
 from springback.kernels.trees import select, tree_map
 
@@ -100,6 +109,66 @@ def test_no_kernel_remains_to_be_called() -> None:
         assert "_mixed" not in "".join(
             line for line in text.splitlines() if line.startswith(("define", "declare"))
         )
+
+
+@called_kernel
+def _deep(x: float) -> float:
+    """A called kernel beneath a rare one."""
+    total = 0.0
+    for k in range(7):
+        total += math.sin(k * x)
+    return total
+
+
+@rare_kernel
+def _rare(x: float) -> float:
+    """Exact about what is no number, as an inlined kernel is not."""
+    return 0.0 if math.isnan(x) else _deep(x) - _deep(-2.0 * x)
+
+
+@list_kernel
+def _listed(x: float, count: int) -> float:
+    values = [0.0] * count
+    for k in range(count):
+        values[k] = _rare(k - x)
+    return values[0] - 3.0 * values[count - 1]
+
+
+@kernel
+def _often(x: float) -> float:
+    return _rare(x) + _rare(x * x) + _deep(0.5 * x)
+
+
+@executor()
+def _rarely(x: float, out: np.ndarray) -> None:
+    out[0], out[1], out[2] = _often(x), _often(x + 1.0), _listed(x, len(out))
+
+
+def _functions(entry: Any, name: str) -> tuple[int, int]:
+    """How often a kernel is defined in the code of an entry point, and how often called."""
+    lines = [line for text in entry.inspect_llvm().values() for line in text.splitlines()]
+    named = [line for line in lines if name in line]
+    defined = [line for line in named if line.startswith("define")]
+    return len(defined), sum(" call " in line for line in named)
+
+
+def test_kernels_for_rare_events_are_called_and_there_once() -> None:
+    """Inlined where they are called, they would be most of the code, and most of the compiling."""
+    entry: Any = njit(**STRICT)(_rarely.py_func)  # type: ignore[attr-defined]
+    compiled, plain = np.zeros(3), np.zeros(3)
+    entry(0.7, compiled)
+    entry.py_func(0.7, plain)
+    assert compiled.tobytes() == plain.tobytes()
+    assert np.all(plain != 0.0)
+    for name in ("5_rareB", "5_deepB"):
+        defined, called = _functions(entry, name)
+        assert 1 <= defined < called
+
+
+def test_kernels_for_rare_events_know_what_is_no_number() -> None:
+    out = np.full(3, np.nan)
+    _rarely(np.nan, out)
+    assert out[2] == 0.0
 
 
 @generic

@@ -38,7 +38,7 @@ from springback.kernels.packaged.manifest import (
     fitting_kernels,
     status_text,
 )
-from springback.kernels.passes.pipeline import LaneCompiler
+from springback.kernels.passes.pipeline import LISTED, LaneCompiler
 
 #: Parts of numba without type stubs.
 _overload: Any = numba.extending.overload
@@ -95,6 +95,7 @@ def list_kernel(function: F) -> F:
     Callees inherit their caller's flags unless they set them, so reference counting, which kernels
     do without, is switched on here.
     """
+    LISTED.add(cast("types.FunctionType", function))
     registered: F = register_jitable(**{**CALLED_STRICTLY, "_nrt": True})(function)
     return registered
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import copy
 import importlib
-from types import CodeType
+from types import CodeType, FunctionType
 from typing import Any
 
 from llvmlite import ir as llvm
@@ -55,6 +55,9 @@ _IDLE = {
     typed_passes.NopythonRewrites, typed_passes.InlineOverloads, untyped_passes.WithLifting,
     untyped_passes.LiteralUnroll, untyped_passes.InlineInlinables,
 }  # fmt: skip
+
+#: Kernels that hold lists, whose references are counted.
+LISTED: set[FunctionType] = set()
 
 shortcuts.take()
 
@@ -124,6 +127,8 @@ class _LowerForLanes(_Lower):  # type: ignore[misc]
         self.library.function = fndesc.mangled_name
         super().setup_function(fndesc)
         set.update(self.function.attributes, _FOR_LANES)
+        if getattr(self.library, "is_called", False):
+            self.function.attributes.add("noinline")
 
 
 class _LowerInlined(_LowerForLanes):
@@ -200,7 +205,7 @@ def _called(library: Any) -> dict[_KernelLibrary, None]:
 
 
 class _EntryLibrary(_Library):  # type: ignore[misc]
-    """Machine code of an entry point, or of a kernel with lists, and of all that it calls.
+    """Machine code of an entry point, and of all that it calls.
 
     Called kernels are linked here, once each, and are its own: the compiler then knows all their
     callers, such as the number of lanes with which they are called.
@@ -232,14 +237,15 @@ class _LoweringForLanes(_NativeLowering):  # type: ignore[misc]
 
     def run_pass(self, state: Any) -> bool:
         self._lowering = _LowerForLanes  # one instance serves all compilations
-        if state.flags.nrt:  # an entry point, or a kernel with lists
+        is_listed = state.func_id.func in LISTED
+        if state.flags.nrt and not is_listed:  # an entry point
             state.library = _EntryLibrary(state.targetctx.codegen(), state.func_id.func_qualname)
             state.library.enable_object_caching()
             return bool(super().run_pass(state))
         context, state.flags.no_compile = state.targetctx, True
         try:
-            if isinstance(state.return_type, types.Optional):
-                raise _MayRaise  # its status tells a value from none
+            if is_listed or isinstance(state.return_type, types.Optional):
+                raise _MayRaise  # the status tells a value from none, and of an index out of range
             library = self._lower(state, _LowerInlined)
             calls = _caller
         except _MayRaise:
