@@ -61,7 +61,10 @@ _UNCOUNTED: dict[str, Any] = {"forceinline": True, "_nrt": False, **_COMMON}
 INLINED: dict[str, Any] = {"fastmath": FINITE, **_UNCOUNTED}
 GUARDING: dict[str, Any] = {"fastmath": False, **_UNCOUNTED}
 STRICT: dict[str, Any] = {"fastmath": False, **_COMMON}
+CALLED: dict[str, Any] = {**INLINED, "forceinline": False}
 CALLED_STRICTLY: dict[str, Any] = {**GUARDING, "forceinline": False}
+#: Kernels that are called on a processor only.
+INLINED_ON_GPUS: set[Callable[..., Any]] = set()
 
 #: Exceptions that the compiler raises where it cannot translate a kernel.
 CompilerError: type[Exception] = NumbaError
@@ -84,9 +87,11 @@ def guard(function: F) -> F:
 
 
 def rare_kernel(function: F) -> F:
-    """Mark a kernel for rare events: compiled once and called, never inlined, strict about NaN."""
-    registered: F = register_jitable(**CALLED_STRICTLY)(function)
-    return registered
+    """Mark a kernel for rare events: compiled once and called, strict about NaN.
+
+    On a GPU it is inlined.
+    """
+    return _called_on_processors(function, CALLED_STRICTLY)
 
 
 def list_kernel(function: F) -> F:
@@ -96,8 +101,15 @@ def list_kernel(function: F) -> F:
     do without, is switched on here.
     """
     LISTED.add(cast("types.FunctionType", function))
-    registered: F = register_jitable(**{**CALLED_STRICTLY, "_nrt": True})(function)
-    return registered
+    return _called_on_processors(function, {**CALLED_STRICTLY, "_nrt": True})
+
+
+def step_kernel(function: F) -> F:
+    """Mark a long part of a step that passes buffers: called, and on a GPU inlined.
+
+    There the buffers are a thread's own, and in registers where all is inlined.
+    """
+    return _called_on_processors(function, CALLED)
 
 
 def called_kernel(function: F) -> F:
@@ -105,7 +117,13 @@ def called_kernel(function: F) -> F:
 
     A callee inherits its caller's flags unless it sets them, to be inlined among them.
     """
-    registered: F = register_jitable(**{**INLINED, "forceinline": False})(function)
+    registered: F = register_jitable(**CALLED)(function)
+    return registered
+
+
+def _called_on_processors(function: F, options: dict[str, Any]) -> F:
+    INLINED_ON_GPUS.add(function)
+    registered: F = register_jitable(**options)(function)
     return registered
 
 

@@ -27,7 +27,7 @@ from springback.dynamics.limbs.shell import or_turns
 from springback.dynamics.motion import Engaged, HullView, Motion, Rates, View, rates, rates_while
 from springback.dynamics.obstacle_views import NO_VIEW, BodyView
 from springback.dynamics.rigid import rigid_step
-from springback.kernels.compiler import called_kernel, executor, guard, kernel
+from springback.kernels.compiler import executor, guard, kernel, step_kernel
 from springback.kernels.layout import Buffer, TreeLayout, read, row_of, rows, write
 from springback.kernels.trees import (
     axpy,
@@ -95,7 +95,7 @@ def rates_within(model: Model, state: State, phase: float, engaged: Engaged) -> 
     return rates_while(model, state, released, engaged)
 
 
-@called_kernel
+@step_kernel
 def begin_step(shape: TreeLayout, b: Buffer, w: int) -> None:
     """Begin a step of each lane: its first stage, the record, and the length of the step."""
     at = places(shape, w)
@@ -135,7 +135,7 @@ def _without_hull(model: Model) -> Model:
     return replace(model, airframe=replace(model.airframe, hull=()))
 
 
-@called_kernel
+@step_kernel
 def add_stage(shape: TreeLayout, b: Buffer, w: int, reach: float, weight: float) -> None:
     """Add a Runge–Kutta stage of each lane."""
     at, contacts = places(shape, w), shape.record.contacts

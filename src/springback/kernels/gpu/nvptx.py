@@ -27,7 +27,7 @@ from numba.core import (
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.datamodel import models
 
-from springback.kernels.compiler import STRICT, with_globals
+from springback.kernels.compiler import INLINED_ON_GPUS, STRICT, with_globals
 from springback.kernels.gpu.private_memory import MEMORY
 
 #: Parts of numba with incomplete type stubs, or none.
@@ -170,6 +170,8 @@ def _device_decorator(dispatcher: Any, function: Any = None, **options: Any) -> 
     for name in ("pipeline_class", "nopython", "cache", "nogil"):
         options.pop(name, None)
     options |= {"_nrt": False, "no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    if function in INLINED_ON_GPUS:
+        options["forceinline"] = True
     return dispatcher(function, targetoptions={"nopython": True, **options})
 
 
