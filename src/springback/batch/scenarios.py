@@ -40,6 +40,7 @@ from springback.scenario.user.laws import in_words
 from springback.simulation.flight import LANES, fly_buffers
 from springback.simulation.guided import GuidedFlight
 from springback.simulation.guided_batch import GUIDED_LANES, fly_groups
+from springback.simulation.lanes import lanes_of
 from springback.simulation.loading import LoadedFlights, Loader
 from springback.simulation.measuring.columns import Array, columns_of, energies, tree_from
 from springback.simulation.measuring.measures import MEASURES, measure_columns, outcomes_of
@@ -295,7 +296,7 @@ def _fly_kind(kind: _Kind, fly: _Fly, progress: Progress, out: Rows) -> None:
         fly.impacts(laid.shape, laid.buffers, width, thrusts=thrusts, progress=progress)
     else:
         flight = GuidedFlight(laid.model, laid.start, laid.avionics)
-        buffers = FlightBuffers(laid.buffers, laid.onboard, (0,) * width)
+        buffers = FlightBuffers(laid.buffers, laid.onboard, lanes_of(width))
         noise = FlightNoise(built_avionics.noise, kind.seeds, [0] * count)
         with in_words(check_user_code(kind.first)):
             fly.guided(flight, buffers, noise, progress=progress)

@@ -23,14 +23,12 @@ from springback.contact.obstacles import World
 from springback.dynamics.crossing import NO_CROSSING, Crossing
 from springback.dynamics.limbs.arms import ArmView
 from springback.dynamics.limbs.locked import RigidRates, RigidState
-from springback.dynamics.limbs.shell import or_turns
-from springback.dynamics.motion import Engaged, HullView, Motion, Rates, View, rates, rates_while
+from springback.dynamics.motion import HullView, Motion, Rates, View, rates
 from springback.dynamics.obstacle_views import NO_VIEW, BodyView
 from springback.dynamics.rigid import rigid_step
 from springback.kernels.compiler import executor, guard, kernel, step_kernel
 from springback.kernels.layout import Buffer, TreeLayout, read, row_of, rows, write
 from springback.kernels.trees import (
-    axpy,
     axpy_strictly,
     fold,
     replace,
@@ -61,6 +59,7 @@ from springback.simulation.measuring.record import (
     search_of,
 )
 from springback.simulation.request import motion_after_request
+from springback.simulation.stages import REACH, WEIGHT, add_stage
 from springback.simulation.thrusts import body_at, model_at, ramped_step
 from springback.vehicle.state import (
     Airframe,
@@ -75,9 +74,6 @@ from springback.vehicle.state import (
 #: A flight has diverged if the sum of squares of its coordinates and speeds is more than this.
 DIVERGED = 1e12
 
-# Classical Runge–Kutta, x + h/6 (k₁ + 2 k₂ + 2 k₃ + k₄): stage i is taken at x + REACH[i] h kᵢ₋₁.
-REACH = (0.0, 0.5, 0.5, 1.0)
-WEIGHT = (1.0, 2.0, 2.0, 1.0)
 SIXTH = 1.0 / 6.0
 
 
@@ -86,13 +82,6 @@ def rates_of(model: Model, state: State, phase: float, looks: float) -> Rates:
     """Rates of one flight; its arms can slide during an impact, or always."""
     released = 1.0 if (model.timing.hybrid == 0.0) | (phase > 0.0) else 0.0
     return rates(model, state, released, looks)
-
-
-@kernel
-def rates_within(model: Model, state: State, phase: float, engaged: Engaged) -> Rates:
-    """`rates_of` within a step, with the contacts of its beginning."""
-    released = 1.0 if (model.timing.hybrid == 0.0) | (phase > 0.0) else 0.0
-    return rates_while(model, state, released, engaged)
 
 
 @step_kernel
@@ -117,72 +106,6 @@ def begin_step(shape: TreeLayout, b: Buffer, w: int) -> None:
         write(known.motion, b, at.total, w, i)
         if w == 1:  # only a single flight is logged
             write(seen, b, at.seen, w, i)
-
-
-@kernel
-def hull_acts(shape: TreeLayout, b: Buffer, w: int) -> bool:
-    """True if the hull of any lane touches an obstacle in this step, or is a shell that turns."""
-    at, engaged = places(shape, w), shape.record.contacts.engaged
-    found = fold(or_turns, 0.0, read(shape.model, b, 0, w, 0).airframe.hull, ())
-    first = at.engaged + rows(engaged.arms)
-    for k in range(first * w, (first + rows(engaged.hull)) * w):
-        found += b[k]
-    return found > 0.0
-
-
-@kernel
-def _without_hull(model: Model) -> Model:
-    return replace(model, airframe=replace(model.airframe, hull=()))
-
-
-@step_kernel
-def add_stage(shape: TreeLayout, b: Buffer, w: int, reach: float, weight: float) -> None:
-    """Add a Runge–Kutta stage of each lane."""
-    at, contacts = places(shape, w), shape.record.contacts
-    # Mostly no hull acts: its forces, all zero, are then left out.
-    if hull_acts(shape, b, w):
-        for i in range(w):
-            model = stage_model(shape, b, w, i, reach)
-            state = stage_state(shape, b, w, i, reach)
-            engaged = read(contacts.engaged, b, at.engaged, w, i)
-            known = rates_within(model, state, b[at.phase * w + i], engaged)
-            add_rates(shape, b, w, i, known.motion, weight)
-    else:
-        for i in range(w):
-            model = _without_hull(stage_model(shape, b, w, i, reach))
-            state = stage_state(shape, b, w, i, reach)
-            flags = read(contacts.engaged, b, at.engaged, w, i)
-            engaged = Engaged(flags.arms, (), flags.bodies)
-            known = rates_within(model, state, b[at.phase * w + i], engaged)
-            add_rates(shape, b, w, i, known.motion, weight)
-
-
-@kernel
-def stage_model(shape: TreeLayout, b: Buffer, w: int, i: int, reach: float) -> Model:
-    """Model of one lane at the instant of a stage."""
-    at = places(shape, w)
-    time = b[at.record * w + i] + reach * b[at.step * w + i]
-    stage: Model = model_at(read(shape.model, b, 0, w, i), time)
-    return stage
-
-
-@kernel
-def stage_state(shape: TreeLayout, b: Buffer, w: int, i: int, reach: float) -> State:
-    """State of one lane for a stage, by the rates of the stage before."""
-    at = places(shape, w)
-    state = read(shape.motion.state, b, at.motion, w, i)
-    rate = read(shape.motion.state, b, at.rate, w, i)
-    reached: State = axpy(state, rate, reach * b[at.step * w + i])
-    return reached
-
-
-@kernel
-def add_rates(shape: TreeLayout, b: Buffer, w: int, i: int, rate: Motion, weight: float) -> None:
-    """Store the rates of a stage, and add them with their weight."""
-    at = places(shape, w)
-    so_far = read(shape.motion, b, at.total, w, i)
-    write(rate.state, b, at.rate, w, i)
-    write(axpy(so_far, rate, weight), b, at.total, w, i)
 
 
 @guard
@@ -435,7 +358,7 @@ def advance(
                     begin_step(shape, b, w)
                     log_step(shape, b, w, log)
                     for stage in range(1, 3 + once):
-                        add_stage(shape, b, w, REACH[stage], WEIGHT[stage])
+                        add_stage(lanes, shape, b, REACH[stage], WEIGHT[stage])
                     for i in range(w * once):
                         accept_step(shape, b, w, i)
                     if shared:

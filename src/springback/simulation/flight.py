@@ -29,7 +29,7 @@ from springback.kernels.layout import Buffer, TreeLayout, row_of, rows
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation.executor import TrajectoryLog, advance, has_space
-from springback.simulation.lanes import Shape, buffer_rows, empty_groups, places
+from springback.simulation.lanes import Shape, buffer_rows, empty_groups, lanes_of, places
 from springback.simulation.measuring.record import (
     FLYING,
     FREE_FLIGHT,
@@ -342,7 +342,7 @@ def fly_one(
     for early in _stretches(shape, buffers, 1, thrusts):
         flying = 1
         while flying:
-            flying = run(like, buffers, (0,), log, SLICE, early)
+            flying = run(like, buffers, lanes_of(1), log, SLICE, early)
             time_now = float(buffers[0, record_row])
             check_instants(stored.count + log.used[0], time_now, model.timing.until)
             if progress is not None:
@@ -438,7 +438,7 @@ def fly_buffers(
         progress: Called from time to time with the share of groups done.
     """
     like = TreeLayout(shape)
-    lanes, run = (0,) * width, entry_for(shape.model)
+    lanes, run = lanes_of(width), entry_for(shape.model)
     workers = threads or os.cpu_count() or 1
     chunk = max(1, -(-len(buffers) // (8 * workers)))
 

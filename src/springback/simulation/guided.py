@@ -32,6 +32,7 @@ from springback.simulation.flight import (
     sources,
     trace_columns,
 )
+from springback.simulation.lanes import lanes_of
 from springback.simulation.measuring.record import Model
 from springback.simulation.noise import (
     NoiseSource,
@@ -302,7 +303,7 @@ def fly_guided(
     shape, duration, count = shape_of(model, start), model.timing.until, len(noise)
     check_instants(count if trace else 0, duration, duration)
     motion, onboard = flight_buffers(shape, [model], [start], 1), avionics_buffers([avionics], 1)
-    buffers, run = FlightBuffers(motion, onboard, (0,)), guide_for(model, avionics, executor)
+    buffers, run = FlightBuffers(motion, onboard, lanes_of(1)), guide_for(model, avionics, executor)
     layouts = layouts_of(shape, avionics, noise.shape[1] - GUST_NOISE)
     numbers, at = stored_stream(noise), np.zeros(3, dtype=np.int64)
     head = (*telemetry_head(avionics),) if trace else ()

@@ -40,6 +40,20 @@ class Shape(NamedTuple):
     record: Record
 
 
+class LoneFlight(NamedTuple):
+    """Lanes of a flight that is flown alone on a processor.
+
+    The compiler knows from its type that there are no others.
+    """
+
+    lane: int = 0
+
+
+def lanes_of(width: int) -> tuple[int, ...]:
+    """Lanes of a group of ``width``."""
+    return LoneFlight() if width == 1 else (0,) * width
+
+
 class Places(NamedTuple):
     """First rows of the parts of a buffer."""
 

@@ -40,7 +40,7 @@ _Compiler: Any = compiler.Compiler
 _Library: Any = codegen.JITCodeLibrary
 _Lower: Any = lowering.Lower
 _get_or_insert: Any = cgutils.get_or_insert_function
-_alloca_once: Any = cgutils.alloca_once
+_cgutils: Any = cgutils
 _Convention: Any = callconv.CPUCallConv
 _Context: Any = cpu.CPUContext
 _NativeLowering: Any = typed_passes.NativeLowering
@@ -55,6 +55,10 @@ _IDLE = {
     typed_passes.NopythonRewrites, typed_passes.InlineOverloads, untyped_passes.WithLifting,
     untyped_passes.LiteralUnroll, untyped_passes.InlineInlinables,
 }  # fmt: skip
+
+#: A kernel is not simplified by itself if it has so many bytes, nearly all of them of what it
+#: calls: so many times as many as of its own.
+_THICK, _THIN = 100_000, 12
 
 #: Kernels that hold lists, whose references are counted.
 LISTED: set[FunctionType] = set()
@@ -113,7 +117,7 @@ def _caller(described: Any, libraries: Any) -> Any:
 
     def call(context: Any, builder: Any, signature: Any, given: Any) -> Any:
         function = _declared(context, builder.module, described)
-        place = _alloca_once(builder, context.get_value_type(described.restype))
+        place = _cgutils.alloca_once(builder, context.get_value_type(described.restype))
         builder.call(function, [place, *_passed(described, given)])
         return builder.load(place)
 
@@ -129,6 +133,27 @@ class _LowerForLanes(_Lower):  # type: ignore[misc]
         set.update(self.function.attributes, _FOR_LANES)
         if getattr(self.library, "is_called", False):
             self.function.attributes.add("noinline")
+
+    def storevar(self, value: Any, name: str, argidx: int | None = None) -> None:
+        """Set a variable; one without references is not read first, to drop them."""
+        kind = self.typeof(name)
+        if name in self._singly_assigned_vars or self._is_counted(kind):
+            super().storevar(value, name, argidx)
+            return
+        self._alloca_var(name, kind)
+        self.builder.store(value, self.getvar(name))
+
+    def delvar(self, name: str) -> None:
+        """End the life of a variable; one without references is not read and cleared."""
+        if self._is_counted(self.typeof(name)):
+            super().delvar(name)
+        elif name not in self._blk_local_varmap:
+            self._singly_assigned_vars.discard(name)
+
+    def _is_counted(self, kind: Any) -> bool:
+        """True if values of a type hold references that are counted."""
+        model = self.context.data_model_manager[kind]
+        return bool(self.context.enable_nrt and model.contains_nrt_meminfo())
 
 
 class _LowerInlined(_LowerForLanes):
@@ -167,6 +192,8 @@ class _KernelLibrary(_Library):  # type: ignore[misc]
         self.is_called, self.function = is_called, ""
         #: Libraries of the called kernels beneath this one, each after one that calls it.
         self.called: dict[_KernelLibrary, None] = {}
+        #: Bytes of its code.
+        self.size = 0
 
     def add_llvm_module(self, ll_module: Any) -> None:
         """Take the kernel's own code, which `finalize` simplifies."""
@@ -177,12 +204,25 @@ class _KernelLibrary(_Library):  # type: ignore[misc]
         """Inline what the kernel calls, simplify it, and let any number of callers link it.
 
         Entry points are optimised as a whole: of a kernel, only what its callers would repeat.
+        One that does little beside calling a long kernel is left to its caller.
         """
+        own, linked = len(self._final_module.as_bitcode()), 0
         for library in dict.fromkeys(self._linking_libraries):
             self._reload_init.update(library._reload_init)
             self.called.update(_called(library))
             if library not in self.called:
                 self._final_module.link_in(library._get_module_for_linking(), preserve=True)
+                linked += getattr(library, "size", 0)
+        self.size = own + linked
+        if self.size < _THICK or own * _THIN > linked:
+            self._simplify()
+        self._finalize_dynamic_globals()
+        for function in self._final_module.functions:
+            if not function.is_declaration and function.linkage == Linkage.external:
+                function.linkage = "linkonce_odr"
+        self._shared_module, self._finalized = self._final_module, True
+
+    def _simplify(self) -> None:
         passes = create_new_module_pass_manager()
         passes.add_always_inliner_pass()
         passes.add_sroa_pass()
@@ -190,11 +230,7 @@ class _KernelLibrary(_Library):  # type: ignore[misc]
         passes.add_simplify_cfg_pass()
         passes.add_global_dead_code_eliminate_pass()
         passes.run(self._final_module, self._codegen._pass_builder())
-        self._finalize_dynamic_globals()
-        for function in self._final_module.functions:
-            if not function.is_declaration and function.linkage == Linkage.external:
-                function.linkage = "linkonce_odr"
-        self._shared_module, self._finalized = self._final_module, True
+        self.size = len(self._final_module.as_bitcode())
 
 
 def _called(library: Any) -> dict[_KernelLibrary, None]:

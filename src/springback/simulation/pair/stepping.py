@@ -22,19 +22,13 @@ from springback.kernels.layout import Buffer, TreeLayout, read, row_of, write
 from springback.kernels.trees import field_of, maximum, replace, tree_map
 from springback.kernels.vectors import Mat3, rotation
 from springback.simulation.executor import (
-    REACH,
-    WEIGHT,
     TrajectoryLog,
     accept_step,
-    add_rates,
     begin_step,
     cruise,
     handle_events,
     has_space,
     log_step,
-    rates_within,
-    stage_model,
-    stage_state,
 )
 from springback.simulation.flight import SLICE, own_types, sources
 from springback.simulation.guided import FLY, LOOK, TickRange
@@ -47,6 +41,14 @@ from springback.simulation.measuring.record import (
     is_quiet,
 )
 from springback.simulation.pair.parts import part_accelerations, parts_of
+from springback.simulation.stages import (
+    REACH,
+    WEIGHT,
+    add_rates,
+    rates_within,
+    stage_model,
+    stage_state,
+)
 from springback.simulation.ticks import (
     FlightBuffers,
     FlightLog,
