@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 from numba import njit, typeof
+from numba.core import cgutils
 from numba.core.compiler_lock import global_compiler_lock
 
 from builders.cases import nonempty
@@ -21,6 +22,8 @@ from springback.kernels.compiler import (
     rare_kernel,
 )
 from springback.kernels.gpu.nvptx import device_function, lower
+from springback.kernels.passes import pipeline
+from springback.kernels.passes.pipeline import _KernelLibrary
 from springback.kernels.trees import select, tree_map
 
 
@@ -109,6 +112,78 @@ def test_no_kernel_remains_to_be_called() -> None:
         assert "_mixed" not in "".join(
             line for line in text.splitlines() if line.startswith(("define", "declare"))
         )
+
+
+@kernel
+def _turned(x: float, count: int) -> Pair:
+    """A variable that is set anew: numba would read and clear it, too."""
+    turned = _made(x)
+    for _ in range(count):
+        turned = _mixed(turned, _made(x + turned.a))
+    return turned
+
+
+@executor()
+def _fill_turned(x: float, out: np.ndarray) -> None:
+    _put(out, 0, _turned(x, len(out)))
+
+
+_turn: Any = _fill_turned
+
+
+def test_places_of_trees_are_not_filled_with_zeros(monkeypatch: pytest.MonkeyPatch) -> None:
+    """LLVM takes zeros of hundreds of numbers apart; code that others compile has them as ever."""
+    texts = []
+    take = _KernelLibrary.add_llvm_module
+
+    def listen(library: Any, module: Any) -> None:
+        texts.append(str(module))
+        take(library, module)
+
+    monkeypatch.setattr(_KernelLibrary, "add_llvm_module", listen)
+    entry: Any = njit(**STRICT)(_turn.py_func)
+    compiled, plain = np.zeros(2), np.zeros(2)
+    entry(0.7, compiled)
+    entry.py_func(0.7, plain)
+    assert compiled.tobytes() == plain.tobytes()
+    (turned,) = (
+        text for text in texts if "6_mixed" in text and "5_made" in text and "fcmp" not in text
+    )
+    trees = [line for line in turned.splitlines() if "{ double" in line]
+    assert any("alloca" in line for line in trees)
+    assert not any("zeroinitializer" in line for line in trees)
+    assert cgutils.alloca_once.__module__ == "numba.core.cgutils"
+
+
+@pytest.mark.parametrize(("most", "simplified"), [(0.1, []), (20.0, ["wrapped"])])
+def test_a_kernel_that_wraps_a_long_one_is_simplified_with_its_caller(
+    most: float, simplified: list[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """By itself, it would repeat what was done for the long one."""
+    found = []
+    simplify = _KernelLibrary._simplify
+
+    def listen(library: Any) -> None:
+        found.append(library.name.split(".")[-1])
+        simplify(library)
+
+    @kernel
+    def wrapped(x: float, count: int) -> Pair:
+        return _turned(x, count)
+
+    def fill(x: float, out: np.ndarray) -> None:
+        _put(out, 0, wrapped(x, len(out)))
+
+    compiled, plain = np.zeros(2), np.zeros(2)
+    fill(0.7, plain)
+    njit(**STRICT)(_turn.py_func)(0.7, compiled)  # what it wraps is compiled before
+    monkeypatch.setattr(_KernelLibrary, "_simplify", listen)
+    monkeypatch.setattr(pipeline, "_THICK", 1000)
+    monkeypatch.setattr(pipeline, "_THIN", most)
+    entry: Any = njit(**STRICT)(fill)
+    entry(0.7, compiled)
+    assert compiled.tobytes() == plain.tobytes()
+    assert [one for one in found if one == "wrapped"] == simplified
 
 
 @called_kernel

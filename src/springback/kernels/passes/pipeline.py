@@ -31,6 +31,7 @@ from numba.core import (
 from numba.core.imputils import user_function
 
 from springback.kernels.passes import shortcuts
+from springback.kernels.passes.slots import bare_slots, slot
 
 #: Parts of numba with incomplete type stubs, or none.
 _register_pass: Any = compiler_machinery.register_pass
@@ -40,7 +41,6 @@ _Compiler: Any = compiler.Compiler
 _Library: Any = codegen.JITCodeLibrary
 _Lower: Any = lowering.Lower
 _get_or_insert: Any = cgutils.get_or_insert_function
-_cgutils: Any = cgutils
 _Convention: Any = callconv.CPUCallConv
 _Context: Any = cpu.CPUContext
 _NativeLowering: Any = typed_passes.NativeLowering
@@ -117,7 +117,7 @@ def _caller(described: Any, libraries: Any) -> Any:
 
     def call(context: Any, builder: Any, signature: Any, given: Any) -> Any:
         function = _declared(context, builder.module, described)
-        place = _cgutils.alloca_once(builder, context.get_value_type(described.restype))
+        place = slot(builder, context.get_value_type(described.restype))
         builder.call(function, [place, *_passed(described, given)])
         return builder.load(place)
 
@@ -272,6 +272,10 @@ class _LoweringForLanes(_NativeLowering):  # type: ignore[misc]
         return self._lowering
 
     def run_pass(self, state: Any) -> bool:
+        with bare_slots():
+            return self._run_pass(state)
+
+    def _run_pass(self, state: Any) -> bool:
         self._lowering = _LowerForLanes  # one instance serves all compilations
         is_listed = state.func_id.func in LISTED
         if state.flags.nrt and not is_listed:  # an entry point

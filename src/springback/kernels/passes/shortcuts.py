@@ -11,11 +11,9 @@ from collections.abc import Callable
 from types import FunctionType, SimpleNamespace
 from typing import Any
 
-from llvmlite import ir as llvm
 from numba.core import (
     analysis,
     base,
-    cgutils,
     compiler,
     compiler_machinery,
     config,
@@ -57,7 +55,6 @@ _list_variables: Any = ir.Inst._rec_list_vars
 _asks: Any = base._has_loc
 _run_pass_heard: Any = _Manager._runPass
 _post_process_all: Any = postproc.PostProcessor.run
-_filled_slot: Any = cgutils.alloca_once
 _load_all_registries: Any = _Targets.load_additional_registries
 
 #: In which process a type's hash was computed: one that is read from a file has another's.
@@ -183,27 +180,6 @@ def _entry_variables(code: Any, block: Any) -> Any:
         )
         code.block_entry_vars.update((one, found[at]) for at, one in code.blocks.items())
     return code.block_entry_vars[block]
-
-
-def _slot(builder: Any, kind: Any, size: Any = None, name: str = "", zfill: bool = False) -> Any:
-    """Place on the stack for a value.
-
-    numba fills each with zeros, so that references can be dropped before they are set; LLVM takes
-    the zeros of a tree of hundreds of numbers apart, leaf by leaf.
-    """
-    if zfill or size is not None or _holds_addresses(kind):
-        return _filled_slot(builder, kind, size, name, zfill)
-    with builder.goto_entry_block():
-        return builder.alloca(kind, name=name)
-
-
-def _holds_addresses(kind: Any) -> bool:
-    """True if an address is anywhere in values of a machine type."""
-    if isinstance(kind, llvm.ArrayType):
-        return kind.count > 0 and _holds_addresses(kind.element)
-    if isinstance(kind, llvm.BaseStructType):
-        return any(_holds_addresses(part) for part in kind.elements)
-    return not isinstance(kind, (llvm.IntType, llvm.DoubleType, llvm.FloatType))
 
 
 # -- passes ----------------------------------------------------------------------------------------
@@ -338,7 +314,6 @@ def take() -> None:
         types.BaseFunction: {"get_call_type": _call_type},
         utils: {"order_by_target_specificity": _by_target},
         typing_rules.context: {"order_by_target_specificity": _by_target},
-        cgutils: {"alloca_once": _slot},
         ir.Inst: {"_rec_list_vars": _variables},
         ir.FunctionIR: {"get_block_entry_vars": _entry_variables},
         postproc.PostProcessor: {"run": _post_process},
