@@ -27,7 +27,7 @@ from springback.simulation.flight import (
     fly_one,
     shape_of,
 )
-from springback.simulation.lanes import places
+from springback.simulation.lanes import lanes_of, places
 from springback.simulation.measuring.record import Model
 from springback.vehicle.state import State
 
@@ -157,7 +157,7 @@ def test_interrupted_and_continued_is_the_same_flight() -> None:
     shape = shape_of(model, start)
     buffers = flight_buffers(shape, [model], [start], 1)
     calls = 1
-    while advance(TreeLayout(shape), buffers, (0,), empty_log(), 7, 0.0):
+    while advance(TreeLayout(shape), buffers, lanes_of(1), empty_log(), 7, 0.0):
         calls += 1
     assert calls > 10
     again = flight_records(shape, [model], [start], buffers, 1)[0]
