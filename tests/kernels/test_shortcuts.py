@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
 from collections.abc import Iterator
 from typing import Any
 
@@ -19,6 +21,20 @@ def test_an_operator_without_a_rule_says_which_types_it_was_given() -> None:
 
     with pytest.raises(TypingError, match=r"(?s)No implementation of function.*add.*float64"):
         wrong(1.0)
+
+
+def test_linear_algebra_is_loaded_when_code_calls_it() -> None:
+    """Not to compile the first kernel, as by numba itself: that takes a tenth of a second."""
+    code = (
+        "import sys, numba, numpy as np\n"
+        "import springback.kernels.compiler\n"
+        "assert numba.njit(lambda x: x + 1.0)(1.0) == 2.0\n"
+        "assert 'scipy.linalg' not in sys.modules\n"
+        "turn = np.array([[0.0, -1.0], [1.0, 0.0]])\n"
+        "assert numba.njit(lambda a: a @ a)(turn).tolist() == [[-1.0, 0.0], [0.0, -1.0]]\n"
+        "assert 'scipy.linalg' in sys.modules\n"
+    )
+    subprocess.run([sys.executable, "-c", code], check=True)
 
 
 def test_operators_are_those_of_their_types() -> None:

@@ -293,12 +293,23 @@ def _refresh_target(context: Any) -> None:
 def _load_registries(context: Any) -> None:
     """What other modules teach the compiler; numba imports them all again each time."""
     if not _REGISTRIES:
-        _load_all_registries(context)
+        algebra: Any = importlib.import_module("numba.np.linalg")
+        check, algebra.ensure_blas = algebra.ensure_blas, _none_missing
+        try:
+            _load_all_registries(context)
+        finally:
+            algebra.ensure_blas = check
         _REGISTRIES.extend(context._registries)
         return
     _start_runtime(context)
     for registry in _REGISTRIES:
         context.install_registry(registry)
+
+
+def _none_missing() -> None:
+    """In place of a check that loads SciPy's linear algebra, which is always there, for a tenth of
+    the time to a first flight; what calls it loads it.
+    """
 
 
 _take_implementations: Any = _refreshed(base.BaseContext.refresh)
