@@ -307,9 +307,7 @@ def _load_registries(context: Any) -> None:
 
 
 def _none_missing() -> None:
-    """In place of a check that loads SciPy's linear algebra, which is always there, for a tenth of
-    the time to a first flight; what calls it loads it.
-    """
+    """SciPy's linear algebra is always there: numba loads it to know, a tenth of a second."""
 
 
 _take_implementations: Any = _refreshed(base.BaseContext.refresh)
