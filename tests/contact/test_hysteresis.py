@@ -318,13 +318,26 @@ def test_exponents_below_1_have_a_bounded_slope(n: float) -> None:
     assert power(exponent, 0.0) == 0.0
     assert power(exponent, 1e-3) == pytest.approx(1e-3**n, rel=0.5 * (1.0 - n) * 0.0101)
     of = surface(law="hertz", stiffness=40.0, exponent=n)
-    for depth in (1e-5, 1e-4, 1e-3, 2e-2):
+    for depth in (1e-30, 1e-9, 3e-6, 3.3e-6, 1e-5, 1e-4, 1e-3, 2e-2):
         expected = quad(lambda x: 40.0 * power(exponent, x), 0.0, depth, points=[depth / 20])[0]
         assert elastic_energy(of, depth) == pytest.approx(expected, rel=1e-9)
         h = 1e-4 * depth
         slope = (power(exponent, depth + h) - power(exponent, depth - h)) / (2.0 * h)
         assert slope <= steepest(exponent, depth, 2.0 * h)
     assert steepest(exponent, 0.0, 0.0) == pytest.approx(1e-4 ** (n - 1.0), rel=1e-12)
+
+
+@pytest.mark.parametrize("n", [0.4, 0.54, 0.9, 1.0, 1.5])
+def test_coming_out_is_steep_within_bounds_from_the_very_touch_on(n: float) -> None:
+    """E²/W is at most twice the largest slope so far; rounding of W made it 10¹⁴⁶, and steps 0.1 us."""
+    of = surface(law="constant-restitution", stiffness=40.0, exponent=n, restitution=0.4)
+    share = 1.0 / 0.4**2 - 1.0
+    for depth in (1e-30, 1e-18, 1e-12, 1e-8, 1e-6, 1e-4, 1e-2):
+        steepest_yet = 40.0 * steepest(AnyExponent(n), 0.0 if n < 1.0 else depth + 1e-8, 0.0)
+        bound = (1.0 + 2.0 * share) * steepest_yet
+        of_contact = load(of, no_memory(), depth)
+        ahead = 40.0 * steepest(AnyExponent(n), depth + 1e-5, 0.0)
+        assert of_contact.force.stiffness <= max(bound, ahead) * (1.0 + 1e-9)
 
 
 @pytest.mark.parametrize("law", ["hunt-crossley", "hertz", "foam", "table", "constant-restitution"])

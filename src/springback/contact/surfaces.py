@@ -67,6 +67,8 @@ TINY = 1e-12
 #: ε, depth below which a law of an exponent below 1 is linear [m] (chosen: its force at 1 mm is
 #: then 0.5 (1 − n) % lower).
 TOE = 1e-4
+#: Below this (δ/ε)², energies are those of a series.
+NEAR_TOUCH = 1e-3
 
 
 @generic
@@ -212,7 +214,10 @@ def elastic_energy(surface: Surface, depth: float) -> float:
     """Energy stored in a contact, k δⁿ⁺¹/(n+1) [J]; without memory."""
     n = surface.exponent.value
     if n < 1.0:
-        square, p = depth * depth + TOE * TOE, 0.5 * (n + 1.0)
-        stored: float = surface.stiffness * (square**p - (TOE * TOE) ** p) / (n + 1.0)
+        p, x = 0.5 * (n + 1.0), depth * depth / (TOE * TOE)
+        # Near the touch, (1 + x)ᵖ − 1 is lost to rounding, but not the force: they are compared.
+        series = 1.0 + (p - 1.0) * x * (0.5 + (p - 2.0) * x * (1.0 / 6.0 + (p - 3.0) * x / 24.0))
+        grown = p * x * series if x < NEAR_TOUCH else (1.0 + x) ** p - 1.0
+        stored: float = surface.stiffness * (TOE * TOE) ** p * grown / (n + 1.0)
         return stored
     return surface.stiffness * power(surface.exponent, depth) * depth / (n + 1.0)
