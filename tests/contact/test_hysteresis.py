@@ -333,11 +333,11 @@ def test_coming_out_is_steep_within_bounds_from_the_very_touch_on(n: float) -> N
     of = surface(law="constant-restitution", stiffness=40.0, exponent=n, restitution=0.4)
     share = 1.0 / 0.4**2 - 1.0
     for depth in (1e-30, 1e-18, 1e-12, 1e-8, 1e-6, 1e-4, 1e-2):
-        steepest_yet = 40.0 * steepest(AnyExponent(n), 0.0 if n < 1.0 else depth + 1e-8, 0.0)
+        steepest_yet = 40.0 * steepest(AnyExponent(n), 0.0 if n < 1.0 else depth + 1e-6, 0.0)
         bound = (1.0 + 2.0 * share) * steepest_yet
         of_contact = load(of, no_memory(), depth)
         ahead = 40.0 * steepest(AnyExponent(n), depth + 1e-5, 0.0)
-        assert of_contact.force.stiffness <= max(bound, ahead) * (1.0 + 1e-9)
+        assert of_contact.force.stiffness <= max(bound, ahead) * (1.0 + 1e-5)
 
 
 @pytest.mark.parametrize("law", ["hunt-crossley", "hertz", "foam", "table", "constant-restitution"])
