@@ -40,7 +40,7 @@ class Shape(NamedTuple):
     record: Record
 
 
-class LoneFlight(NamedTuple):
+class SingleFlight(NamedTuple):
     """Lanes of a flight that is flown alone on a processor.
 
     The compiler knows from its type that there are no others.
@@ -51,7 +51,7 @@ class LoneFlight(NamedTuple):
 
 def lanes_of(width: int) -> tuple[int, ...]:
     """Lanes of a group of ``width``."""
-    return LoneFlight() if width == 1 else (0,) * width
+    return SingleFlight() if width == 1 else (0,) * width
 
 
 class Places(NamedTuple):

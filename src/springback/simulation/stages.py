@@ -12,7 +12,7 @@ from springback.dynamics.motion import Engaged, Motion, Rates, rates_while
 from springback.kernels.compiler import generic, kernel, step_kernel
 from springback.kernels.layout import Buffer, TreeLayout, read, rows, write
 from springback.kernels.trees import axpy, fold, replace
-from springback.simulation.lanes import LoneFlight, places
+from springback.simulation.lanes import SingleFlight, places
 from springback.simulation.measuring.record import Model
 from springback.simulation.thrusts import model_at
 from springback.vehicle.state import State
@@ -115,7 +115,7 @@ def add_stage(
     """Add a Runge–Kutta stage of each lane.
 
     Args:
-        lanes: A tuple as long as a group is wide, or a `LoneFlight`.
+        lanes: A tuple as long as a group is wide, or a `SingleFlight`.
         shape: Layout of the buffer.
         b: Buffer of the group.
         reach: Of the stage, in steps: `REACH`.
@@ -124,9 +124,9 @@ def add_stage(
     _add_stage_of_lanes(shape, b, len(lanes), reach, weight)
 
 
-@add_stage.register(LoneFlight)
+@add_stage.register(SingleFlight)
 def _add_lone_stage(
-    lanes: LoneFlight, shape: TreeLayout, b: Buffer, reach: float, weight: float
+    lanes: SingleFlight, shape: TreeLayout, b: Buffer, reach: float, weight: float
 ) -> None:
     """Add a stage of a single flight, for which the physics is compiled once, with the hull."""
     _add_stage_of_one(shape, b, reach, weight)
