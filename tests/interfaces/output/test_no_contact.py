@@ -139,8 +139,8 @@ def test_misses_are_told_of_beside_the_share_of_successes(tmp_path: Path) -> Non
     known = _campaign(tmp_path / "rows", 4, 3, success=["separated"])
     found = summary(known)
     arq, quad = found.robots
-    assert (arq.untouched, arq.touches, arq.touch_successes) == (2, 8, 7)
-    assert (quad.untouched, quad.touches, quad.touch_successes) == (2, 8, 6)
+    assert (arq.misses, arq.touches, arq.touch_successes) == (2, 8, 7)
+    assert (quad.misses, quad.touches, quad.touch_successes) == (2, 8, 6)
     assert arq.success.value == 0.7
     assert arq.touch_success.value == 7 / 8
     text = summary_text(found)

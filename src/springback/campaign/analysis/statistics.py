@@ -55,14 +55,14 @@ class RobotSummary:
     """Number of successes among the flights that touched something."""
 
     @property
-    def untouched(self) -> int:
+    def misses(self) -> int:
         """Number of flights that touched nothing; those that could not be flown are not counted."""
         return self.outcomes.get(UNTOUCHED, 0)
 
     @property
     def touches(self) -> int:
         """Number of flights that touched something."""
-        return self.flights - self.refused - self.untouched
+        return self.flights - self.refused - self.misses
 
     @property
     def touch_success(self) -> IntervalEstimate:
@@ -82,7 +82,7 @@ class RobotSummary:
             "robot": self.robot, "flights": self.flights, "refused": self.refused,
             "ledger_open": self.ledger_open, "successes": self.successes,
             "success": self.success._asdict(),
-            "no_contact": self.untouched, "touch_success": self.touch_success._asdict(),
+            "no_contact": self.misses, "touch_success": self.touch_success._asdict(),
             "outcomes": self.outcomes, "quantiles": quantiles,
         }  # fmt: skip
 

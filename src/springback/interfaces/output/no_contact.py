@@ -177,7 +177,7 @@ def _is_to_touch(campaign: Campaign) -> bool:
 
 def has_misses(found: Summary) -> bool:
     """True if some flights of a campaign touch nothing, and others touch what is there."""
-    missed = any(one.untouched for one in found.robots)
+    missed = any(one.misses for one in found.robots)
     return missed and any(one.touches for one in found.robots) and _is_to_touch(found.campaign)
 
 
@@ -188,7 +188,7 @@ def missed_lines(found: Summary) -> list[str]:
     """
     if not has_misses(found):
         return []
-    lines = [_missed(one) for one in found.robots if one.untouched]
+    lines = [_missed(one) for one in found.robots if one.misses]
     command = summary_command(found.campaign, f"not {UNTOUCHED}")
     return [*lines, f"shares, maps and indices of those that touch alone: {command}"]
 
@@ -198,12 +198,10 @@ def _missed(one: RobotSummary) -> str:
     flown, won_misses = one.flights - one.refused, one.successes - one.touch_successes
     counted = (
         "none of which is a success" if not won_misses
-        else "all of them successes by the rule" if won_misses == one.untouched
+        else "all of them successes by the rule" if won_misses == one.misses
         else f"{won_misses} of them successes by the rule"
     )  # fmt: skip
-    said = (
-        f"{one.robot}: {one.untouched} of {flown} flights touched nothing (no_contact), {counted}"
-    )
+    said = f"{one.robot}: {one.misses} of {flown} flights touched nothing (no_contact), {counted}"
     if not one.touches:
         return said
     return f"{said}; of the {one.touches} that touched something, {one.touch_successes} succeed"

@@ -184,7 +184,7 @@ def share_text(estimate: IntervalEstimate) -> str:
 def success_text(one: RobotSummary, *, misses: bool = False) -> str:
     """Share of successes with its interval, and that among flights that touch, if some miss."""
     every = share_text(one.success)
-    if not misses or not one.untouched or not one.touches:
+    if not misses or not one.misses or not one.touches:
         return every
     return f"{every}, of the {one.touches} that touched something {share_text(one.touch_success)}"
 
