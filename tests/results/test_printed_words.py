@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from builders.cases import nonempty
 from springback.errors import InputError
 from springback.results.flight import Flight, as_scenario, fly
+from springback.results.saved import load
 
 ARMS = {"directions": [0.0, 2.0, -2.0], "length": 0.15, "mass": 0.03, "cage_radius": 0.07}
 MEASURES = ("impact_arm_stroke", "arm_stroke")
@@ -69,8 +72,100 @@ def test_a_flight_of_impulses_has_no_peak_and_one_without_contact_has() -> None:
     assert not [event for event in flight.events if event.kind == "peak"]
     lines = [line for line in repr(flight).splitlines() if "peak_acceleration" in line]
     assert [line.split()[-1] for line in lines] == ["-", "-"]
+    assert flight.measures["contact_time"] is None
+    assert flight.measures["travel"] is None
     fall = flown(thrust=0.0, world={"obstacles": []})
     assert fall.measures["peak_acceleration"] == pytest.approx(9.81)
+
+
+def impulses(**changes: Any) -> Flight:
+    """A vehicle that turns, so that two of its guards strike a wall one after the other."""
+    surface = {"law": "impulse", "restitution": 0.5, "friction": 0.1}
+    start = {"position": [0.77, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0], "yaw": "40 deg"}
+    simulation = {"duration": 0.06, "dwell": 0.05, **changes}
+    return flown(surface=surface, start=start, simulation=simulation)
+
+
+def test_impulses_after_each_other_have_no_duration_and_are_told_of_one_by_one() -> None:
+    flight = impulses()
+    m = flight.measures
+    assert (m["impacts"], m["contacts"]) == (1.0, 2.0)
+    assert (m["separation_time"] or 0.0) > (m["touch_time"] or 0.0) + 1e-3
+    for name in nonempty(
+        ("contact_time", "travel", "impact_peak_acceleration", "peak_acceleration")
+    ):
+        assert m[name] is None, name
+    hits = [event for event in flight.events if event.kind == "contact"]
+    assert len(hits) == 2
+    assert len({one.arm for one in hits}) == 2
+    [touch] = [event for event in flight.events if event.kind == "touch"]
+    assert touch.t == m["touch_time"]
+    assert touch.value == pytest.approx(2.0, rel=1e-3)
+    assert touch.obstacle == "world.obstacles[0], a wall"
+    assert "at 2.00 m/s, on world.obstacles[0], a wall, impulse " in touch.text
+    assert touch.place == pytest.approx((m["touch_x"], m["touch_y"], m["touch_z"]), abs=1e-6)
+    assert not [event for event in flight.events if event.kind in ("separation", "release")]
+    mass = flight.scenario.vehicle.mass
+    sizes = []
+    for hit in nonempty(hits):
+        row = int(np.searchsorted(flight.t, hit.t))
+        sizes.append(mass * abs(flight.columns["vx"][row] - flight.columns["vx"][row - 1]))
+        assert "touches world.obstacles[0], a wall, impulse " in hit.text
+    [met] = flight.obstacle_contacts
+    assert met.parts == tuple(sorted(f"guard {one.arm}" for one in hits))
+    assert met.force == 0.0
+    assert met.impulse == pytest.approx(max(sizes), rel=0.05)  # it turns and rubs, too
+    assert f"impulse up to {met.impulse:.3g} N s on {met.part}, at [1.00, " in repr(flight)
+
+
+def test_a_flight_of_impulses_that_is_read_back_knows_what_it_touched(tmp_path: Path) -> None:
+    """The impulse so far is in its files, the jumps follow from it, of thinned instants, too."""
+    flight = impulses()
+    flight.save(tmp_path, figures=False)
+    again = load(tmp_path)
+    assert repr(again) == repr(flight)
+    assert again.events == flight.events
+    assert again.units["impulse_x"] == "N s"
+    last = [again.columns[f"impulse_{axis}"][-1] for axis in "xyz"]
+    assert last == [again.measures[f"impulse_{axis}"] for axis in "xyz"]
+    thin = impulses(record_interval=2e-3)
+    assert [one.obstacle for one in thin.obstacle_contacts] == ["world.obstacles[0], a wall"]
+    assert [one.kind for one in thin.events].count("touch") == 1
+
+
+def test_flights_of_forces_have_no_columns_of_impulses() -> None:
+    flight = flown()
+    assert not [name for name in flight.columns if name.startswith("impulse")]
+    assert flight.obstacle_contacts[0].impulse == 0.0
+
+
+def test_the_impulse_of_all_contacts_is_printed_where_there_is_one() -> None:
+    """It is the change of momentum without weight: here rotors carry that."""
+    flight = flown()
+    mass, c = flight.scenario.vehicle.mass, flight.columns
+    gained = [mass * (c[f"v{axis}"][-1] - c[f"v{axis}"][0]) for axis in "xyz"]
+    [line] = [line for line in repr(flight).splitlines() if line.startswith("  impulse ")]
+    assert f" {float(np.linalg.norm(gained)):.4g} N s by all contacts: [{gained[0]:.3g}, " in line
+    assert line.endswith("] N s, world axes")
+    assert line.split("impulse", 1)[1].strip() in flight._repr_html_()
+    fall = flown(thrust=0.0, world={"obstacles": []})
+    assert fall.impulse_text == ""
+    assert "impulse" not in repr(fall)
+
+
+def test_speed_and_travel_say_what_they_are() -> None:
+    """A vehicle at rest that is struck is driven back at once: it goes no way into what hits it."""
+    still = "  touch_speed               2 m/s, along the normal"
+    assert still in repr(flown()).splitlines()
+    ball = {"type": "sphere", "position": [0.32, 0.0, 1.0], "radius": 0.1, "surface": "mat",
+            "motion": {"type": "constant", "velocity": [-1.0, 0.0, 0.0]}}  # fmt: skip
+    start = {"position": [0.0, 0.0, 1.0]}
+    hit = flown(world={"obstacles": [ball]}, start=start, simulation={"duration": 0.05})
+    assert hit.measures["travel"] == 0.0
+    text = repr(hit)
+    assert "m/s, along the normal, relative to what it touched\n" in text
+    assert "  travel                    0 m; driven back at once\n" in text
+    assert flown(thrust=0.0, world={"obstacles": []}).measures["travel"] is None
 
 
 def test_a_payload_that_rotors_do_not_hold_is_at_fault() -> None:

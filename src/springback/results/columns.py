@@ -9,6 +9,8 @@ import scipy  # submodules are loaded on first use
 
 from springback.contact.cage import moving_bodies
 from springback.contact.moving.bodies import ABSENT, CARRIED
+from springback.contact.obstacles import Impulses
+from springback.results.contacts.jumps import impulse_columns
 from springback.simulation.flight import FlightRecord, Trace
 from springback.simulation.playback import bend_columns, recorded_memory
 from springback.simulation.thrusts import ThrustTable
@@ -43,6 +45,9 @@ def trajectory_columns(
     for name, source in rubbed.items():
         parts = np.stack([trace[f"{source}.{axis}"] for axis in "xyz"])
         columns[name], units[name] = np.linalg.norm(parts, axis=0), "N"
+    if isinstance(flown.model.world.laws, Impulses):
+        jumped = impulse_columns(columns, trace)
+        columns, units = columns | jumped, units | dict.fromkeys(jumped, "N s")
     kept = recorded_memory(flown.start.memory, flown.model.world.obstacles)
     for name, (source, unit) in kept.items():
         columns[name], units[name] = np.ascontiguousarray(trace[source]), unit

@@ -8,7 +8,13 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.recovery.state_machine import CRUISE, HOVER, LOOK, PHASES, RECOVER, RETURN, STAGES
-from springback.results.contacts.places import ContactPlace, contact_places
+from springback.results.contacts.jumps import jumps_of
+from springback.results.contacts.places import (
+    ContactPlace,
+    JumpContact,
+    contact_places,
+    jump_contacts,
+)
 from springback.results.contacts.spans import (
     ContactSpan,
     contact_mask,
@@ -73,15 +79,29 @@ class Event(NamedTuple):
 
 
 def impacts_of(flight: FlightResult) -> tuple[tuple[float, float], ...]:
-    """First touch and last separation of every impact [s]."""
-    t = flight.columns["t"]
-    found = intervals(t, contact_mask(flight.columns), flight.scenario.simulation.dwell)
+    """First touch and last separation of every impact [s]; of impulses, the first and the last."""
+    t, dwell = flight.columns["t"], flight.scenario.simulation.dwell
+    found = intervals(t, contact_mask(flight.columns), dwell)
     ends = [(float(t[first]), float(t[min(last + 1, len(t) - 1)])) for first, last in found]
+    pressing = bool(found) and found[-1][1] == len(t) - 1
+    if jumps := [(one.begin, one.end) for one in jumps_of(flight.columns)]:
+        ends = _joined(sorted([*ends, *jumps]), dwell)
     if ends:  # the measures have the exact instants of the first, columns only the steps
         begin, end = flight.measures.get("touch_time"), flight.measures.get("separation_time")
-        whole = end is not None and found[0][1] < len(t) - 1
+        whole = end is not None and not (pressing and len(ends) == 1)
         ends[0] = (begin or ends[0][0], end if end is not None and whole else ends[0][1])
     return tuple(ends)
+
+
+def _joined(ends: Sequence[tuple[float, float]], apart: float) -> list[tuple[float, float]]:
+    """Spans of time, in order of their beginnings, those closer together than ``apart`` as one."""
+    found = [ends[0]]
+    for begin, end in ends[1:]:
+        if begin - found[-1][1] < apart:
+            found[-1] = (found[-1][0], max(found[-1][1], end))
+        else:
+            found.append((begin, end))
+    return found
 
 
 def events_of(flight: FlightResult) -> tuple[Event, ...]:
@@ -89,42 +109,42 @@ def events_of(flight: FlightResult) -> tuple[Event, ...]:
     t = flight.columns["t"]
     touches = sorted(contact_spans(flight), key=lambda one: one.begin)
     met = list(zip(touches, contact_places(flight, touches), strict=True))
-    found = [*_contacts(flight, met), *_failures(flight, met), *_phases(flight), *_settling(flight)]
-    found += [*_reports(flight), *_parts(flight, met), *_overloads(flight)]
+    hits = jump_contacts(flight)
+    found = [*_contacts(flight, met, hits), *_failures(flight, met), *_phases(flight)]
+    found += [*_settling(flight), *_reports(flight), *_parts(flight, met), *_overloads(flight)]
+    found += _impulses(flight, hits)
     found.append(Event(float(t[-1]), "end", "end", flight.message))
     return tuple(sorted(found, key=lambda event: event.t))
-
-
-def _beside_movers(flight: FlightResult) -> bool:
-    """True if obstacles move, or there is a second vehicle."""
-    scenario = flight.scenario
-    moving = any(getattr(one, "motion", None) is not None for one in scenario.world.obstacles)
-    return moving or scenario.second is not None or flight.is_second
 
 
 _Met = Sequence[tuple[ContactSpan, ContactPlace | None]]
 
 
-def _contacts(flight: FlightResult, met: _Met) -> list[Event]:
+def _contacts(flight: FlightResult, met: _Met, hits: Sequence[JumpContact]) -> list[Event]:
     c = flight.columns
     felt = contact_mask(flight.columns)
     found: list[Event] = []
-    impacts = impacts_of(flight)
+    impacts, near = impacts_of(flight), max(NEAR, flight.scenario.simulation.record_interval)
     for number, (begin, end) in enumerate(impacts[:MOST], start=1):
         which = "" if len(impacts) == 1 else f" {number}"
-        speed = float(np.sqrt(sum(np.interp(begin, c["t"], c[f"v{a}"]) ** 2 for a in "xyz")))
+        hit = next((one for one in hits if abs(one.jump.begin - begin) <= near), None)
+        when = begin if hit is None else float(c["t"][hit.jump.before])  # it jumps at the touch
+        speed = float(np.sqrt(sum(np.interp(when, c["t"], c[f"v{a}"]) ** 2 for a in "xyz")))
         sentence = f"{'first touch' if number == 1 else 'touches again'}, at {speed:.2f} m/s"
         along = flight.touch_speed if number == 1 else None
-        if along is not None and _beside_movers(flight):
+        if along is not None and flight.is_beside_movers:
             speed = along
             sentence = f"first touch, at {speed:.2f} m/s along the normal, relative to it"
         elif along is not None and abs(along - speed) > 0.01 * speed:
             sentence += f", {along:.2f} m/s of it along the normal (touch_speed)"
         there = next((place for one, place in met if one.end > begin), None)
+        there = there if hit is None else hit.place
         sentence += "" if there is None else f", on {there.obstacle}"
+        sentence += "" if hit is None else f", impulse {hit.jump.size:.3g} N s"
         place = (None, None) if there is None else there[:2]
         found.append(Event(begin, "touch", f"touch{which}", sentence, None, speed, *place))
-        if end < c["t"][-1] or not felt[-1]:
+        lasts = any(one.begin < end and one.end > begin for one, _ in met)
+        if (lasts or not hits) and (end < c["t"][-1] or not felt[-1]):
             sentence = f"separates after {1e3 * (end - begin):.1f} ms"
             found.append(Event(end, "separation", f"off{which}", sentence, value=end - begin))
     hardest, peak = flight.measures.get("peak_acceleration_time"), flight.peak_acceleration
@@ -232,6 +252,22 @@ def _parts(flight: FlightResult, met: _Met) -> Iterator[Event]:
         if isinstance(arm, BentArm) and arm.compliance * arm.stop_stiffness > 0.0:
             name = f"the second joint of arm {j}"
             yield from _stops(flight, c[f"bend{j}"], arm.second.shortest, j, name)
+
+
+def _impulses(flight: FlightResult, hits: Sequence[JumpContact]) -> Iterator[Event]:
+    """Jumps of the motion, by each part that touches."""
+    c = flight.columns
+    for hit in hits:
+        row = hit.jump.before
+        speed = float(np.sqrt(sum(c[f"v{axis}"][row] ** 2 for axis in "xyz")))
+        several = len(hit.parts) > 1
+        for part, name in zip(hit.parts, hit.names, strict=True):
+            sentence = f"{name} touches {hit.place.obstacle}, impulse {hit.jump.size:.3g} N s"
+            sentence += " of all that touch at once" if several else ""
+            arm = part + 1 if part < flight.scenario.vehicle.arm_count else None
+            yield Event(
+                hit.jump.begin, "contact", f"{name} on", sentence, arm, speed, *hit.place[:2]
+            )
 
 
 def _stops(

@@ -22,7 +22,8 @@ class FlightMeasures:
     touch_time: float | None
     """first touch [s]"""
     touch_speed: float | None
-    """speed of the main body into the obstacle at first touch, relative to it [m/s]"""
+    """speed of the main body into the obstacle at first touch, along its normal, relative to it
+    [m/s]"""
     touch_x: float | None
     """where it is touched first, world X; unknown on another vehicle [m]"""
     touch_y: float | None
@@ -34,12 +35,12 @@ class FlightMeasures:
     return_time: float | None
     """main body back where it was at first touch [s]"""
     contact_time: float | None
-    """first touch to last separation of the first impact [s]"""
+    """first touch to last separation of the first impact; impulses have none [s]"""
     time_to_return: float | None
     """first touch to the main body's return [s]"""
     travel: float | None
-    """of the main body past its place at first touch, into the obstacle, until last separation
-    [m]"""
+    """way of the main body into the obstacle, from its place at first touch until last separation;
+    0 if it is driven back from there on [m]"""
     impact_peak_acceleration: float | None
     """first impact: largest |dv/dt| of the main body; an impulse has none, nor force [m/s^2]"""
     impact_peak_acceleration_time: float | None
@@ -75,11 +76,11 @@ class FlightMeasures:
     arm_extension: float | None
     """whole flight: largest extension of an arm past its free length [m]"""
     impulse_x: float | None
-    """of all contact forces, world X [N s]"""
+    """whole flight: of all contact forces on the vehicle, world X [N s]"""
     impulse_y: float | None
-    """of all contact forces, world Y [N s]"""
+    """the same, world Y [N s]"""
     impulse_z: float | None
-    """of all contact forces, world Z [N s]"""
+    """the same, world Z [N s]"""
     contacts: float | None
     """number of times that the vehicle came into contact"""
     body_contacts: float | None

@@ -96,6 +96,8 @@ class ObstacleContact(NamedTuple):
     """That it acts on."""
     place: tuple[float, float, float] | None
     """Where it acts, world [m]."""
+    impulse: float = 0.0
+    """Largest impulse of a surface that has no force [N s]; 0 of others."""
 
     @property
     def text(self) -> str:
@@ -105,8 +107,12 @@ class ObstacleContact(NamedTuple):
             if self.place is None
             else f", at [{', '.join(f'{round(x, 2) + 0.0:.2f}' for x in self.place)}] m"
         )
-        hardest = f"normal force up to {self.force:.3g} N on {self.part}{at}, at {self.time:.3f} s"
-        return f"{self.obstacle}: by {' and '.join(self.parts)}, {hardest}"
+        hardest = (
+            f"impulse up to {self.impulse:.3g} N s" if self.impulse and not self.force
+            else f"normal force up to {self.force:.3g} N"
+        )  # fmt: skip
+        where = f"on {self.part}{at}, at {self.time:.3f} s"
+        return f"{self.obstacle}: by {' and '.join(self.parts)}, {hardest} {where}"
 
 
 @dataclass(frozen=True, repr=False, eq=False)
@@ -171,6 +177,13 @@ class FlightResult(FlightMeasures):
     def is_second(self) -> bool:
         """True for the flight of a second vehicle."""
         return self.first is not None
+
+    @property
+    def is_beside_movers(self) -> bool:
+        """True if obstacles move, or there is a second vehicle."""
+        scenario = self.scenario
+        moving = any(getattr(one, "motion", None) is not None for one in scenario.world.obstacles)
+        return moving or scenario.second is not None or self.is_second
 
     @property
     def is_piloted(self) -> bool:
@@ -257,7 +270,12 @@ class FlightResult(FlightMeasures):
         shown = self.readable_measures()
         width = max(len(line.name) for line in shown)
         note = restitution_note(self.measures, self.columns, self.scenario.vehicle.guard_word)
+        beside = ", relative to what it touched" if self.is_beside_movers else ""
         whys = {
+            "touch_speed": ""
+            if self.measures["touch_speed"] is None
+            else f", along the normal{beside}",
+            "travel": "; driven back at once" if self.measures["travel"] == 0.0 else "",
             "restitution_at_separation": f"; {note}" if note else "",
             "peak_acceleration": self._later_peak(),
             "impact_arm_stroke": self._bottomed(),
@@ -265,10 +283,21 @@ class FlightResult(FlightMeasures):
         }
         for line in shown:
             lines.append(f"  {line.name:<{width}} {line.text}{whys.get(line.name, '')}")
+        lines += [f"  {'impulse':<{width}} {self.impulse_text}"] * bool(self.impulse_text)
         lines += [f"  {'touched':<{width}} {one.text}" for one in self.obstacle_contacts[:NAMED]]
         if (more := len(self.obstacle_contacts) - NAMED) > 0:
             lines.append(f"  {'':<{width}} and {more} more")
         return "\n".join(lines)
+
+    @property
+    def impulse_text(self) -> str:
+        """Size and direction of the impulse of all contacts on it; empty without a contact."""
+        found = [self.measures.get(f"impulse_{axis}") for axis in "xyz"]
+        known = [each for each in found if each is not None]
+        if not self.measures.get("contacts") or len(known) < len(found):
+            return ""
+        along = ", ".join(f"{each:.3g}" for each in known)
+        return f"{math.hypot(*known):.4g} N s by all contacts: [{along}] N s, world axes"
 
     @property
     def obstacle_contacts(self) -> tuple[ObstacleContact, ...]:

@@ -18,6 +18,7 @@ from springback.campaign.design.layout import lay_out
 from springback.campaign.store import open_store
 from springback.interfaces.output.no_contact import (
     idle_suction,
+    missed_lines,
     pierced_lines,
     pressing_line,
     untouched_flight,
@@ -133,10 +134,60 @@ def test_one_with_few_such_flights_says_nothing(tmp_path: Path) -> None:
     assert untouched_line(_campaign(tmp_path / "few", 9)) == ""
 
 
+def test_misses_are_told_of_beside_the_share_of_successes(tmp_path: Path) -> None:
+    """Of each robot's 10 flights 2 touch nothing; of the last 3 of both, 1 and 2 press on."""
+    known = _campaign(tmp_path / "rows", 4, 3, success=["separated"])
+    found = summary(known)
+    arq, quad = found.robots
+    assert (arq.misses, arq.touches, arq.touch_successes) == (2, 8, 7)
+    assert (quad.misses, quad.touches, quad.touch_successes) == (2, 8, 6)
+    assert arq.success.value == 0.7
+    assert arq.touch_success.value == 7 / 8
+    text = summary_text(found)
+    said = (
+        "arq: 2 of 10 flights touched nothing (no_contact), none of which is a success; of the 8 "
+    )
+    assert said + "that touched something, 7 succeed\n" in text
+    command = f'springback summary {known.folder} --where "not no_contact"'
+    assert f"those that touch alone: {command}\n" in text
+    assert "of those that touch (95 %)" in text
+    assert "70.00 % (" in text
+    assert "87.50 % (" in text
+    data = found.as_dict()["robots"][0]
+    assert data["no_contact"] == 2
+    assert data["touch_success"]["value"] == 7 / 8
+    write_summary(found, tmp_path)
+    page = (tmp_path / "summary.html").read_text("utf-8")
+    assert "of the 8 that touched something 87.50 %" in page
+    assert "ARQ: 2 of 10 flights touched nothing" in page
+    assert "--where &#34;not no_contact&#34;" in page
+    assert "Flights that touch nothing are among them." in page
+    chosen = summary_text(summary(known.where("not no_contact")))
+    assert "87.50 % (" in chosen
+    assert "70.00 % (" not in chosen
+    assert "touched nothing" not in chosen
+    assert "of those that touch" not in chosen
+
+
+def test_misses_that_are_successes_by_the_rule_are_called_so(tmp_path: Path) -> None:
+    """Without a rule of its own a flight without a pilot that touches nothing is a success."""
+    found = summary(_campaign(tmp_path / "rows", 4))
+    assert "(no_contact), all of them successes by the rule; of the 8 that" in summary_text(found)
+
+
+@pytest.mark.parametrize("untouched", [0, 20])
+def test_without_misses_or_without_touches_there_is_one_share(
+    tmp_path: Path, untouched: int
+) -> None:
+    text = summary_text(summary(_campaign(tmp_path / "rows", untouched)))
+    assert "of those that touch" not in text
+
+
 def test_one_whose_flights_succeed_so_says_nothing(tmp_path: Path) -> None:
     """As through a window: not to touch it is what is wanted."""
     found = _campaign(tmp_path / "won", 15, success="outcome = 'no_contact'")
     assert untouched_line(found) == ""
+    assert missed_lines(summary(found)) == []
 
 
 def test_successes_that_end_in_contact_are_told_of(tmp_path: Path) -> None:

@@ -21,6 +21,7 @@ from springback.intervals import (
 )
 from springback.results.database import identifier, literal
 from springback.results.saved import LARGEST
+from springback.simulation.measuring.measures import Outcome
 
 #: Measures of a summary, if any flight has them.
 MAIN = (
@@ -28,6 +29,8 @@ MAIN = (
     "detection_delay", "recovery_time", "height_loss", "excursion", "nose_up", "nose_down",
     "direction_error",
 )  # fmt: skip
+#: Outcome of flights that touched nothing.
+UNTOUCHED = Outcome.NO_CONTACT.word
 PARTS = (0.1, 0.5, 0.9)
 """Shares of flights below the quantiles shown."""
 
@@ -48,6 +51,23 @@ class RobotSummary:
     outcomes: dict[str, int]
     measures: dict[str, tuple[int, tuple[IntervalEstimate, ...]]]
     """Number of flights that have each measure, and its quantiles."""
+    touch_successes: int
+    """Number of successes among the flights that touched something."""
+
+    @property
+    def misses(self) -> int:
+        """Number of flights that touched nothing; those that could not be flown are not counted."""
+        return self.outcomes.get(UNTOUCHED, 0)
+
+    @property
+    def touches(self) -> int:
+        """Number of flights that touched something."""
+        return self.flights - self.refused - self.misses
+
+    @property
+    def touch_success(self) -> IntervalEstimate:
+        """Share of successes among the flights that touched something."""
+        return share(self.touch_successes, self.touches)
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data."""
@@ -62,6 +82,7 @@ class RobotSummary:
             "robot": self.robot, "flights": self.flights, "refused": self.refused,
             "ledger_open": self.ledger_open, "successes": self.successes,
             "success": self.success._asdict(),
+            "no_contact": self.misses, "touch_success": self.touch_success._asdict(),
             "outcomes": self.outcomes, "quantiles": quantiles,
         }  # fmt: skip
 
@@ -196,6 +217,7 @@ def robot_summary(campaign: Campaign, robot: str) -> RobotSummary:
     outcomes = {word: int(count) for word, count, _ in rows}
     refused = outcomes.pop("refused", 0)
     flown, won = sum(outcomes.values()), int(sum(row[2] for row in rows))
+    hits = int(sum(row[2] for row in rows if row[0] != UNTOUCHED))
     columns = ", ".join(MAIN)
     found = campaign.arrays(f"SELECT {columns} FROM flights WHERE robot = ?", [robot])
     measures = {
@@ -204,7 +226,7 @@ def robot_summary(campaign: Campaign, robot: str) -> RobotSummary:
     }
     return RobotSummary(
         robot, flown + refused, refused, int(ledger_open), won, share(won, flown), outcomes,
-        measures,
+        measures, hits,
     )  # fmt: skip
 
 

@@ -122,7 +122,17 @@ def without_command(campaign: Campaign, found: list[ThinFlights]) -> str:
         campaign: Any.
         found: Those to leave out.
     """
-    conditions = [*campaign.conditions, *(f"not ({one.condition})" for one in found)]
+    return summary_command(campaign, *(f"not ({one.condition})" for one in found))
+
+
+def summary_command(campaign: Campaign, *more: str) -> str:
+    """Command that sums up a campaign under more conditions.
+
+    Args:
+        campaign: Any.
+        *more: Conditions in words, besides those that it has.
+    """
+    conditions = [*campaign.conditions, *more]
     words = " ".join(f"--where {_typed(text)}" for text in conditions)
     return f"springback summary {shlex.quote(str(campaign.folder))} {words}"
 

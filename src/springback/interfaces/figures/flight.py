@@ -154,7 +154,7 @@ def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Any]:
     touch = measures.get("touch_time")
     if touch is None:
         return lambda instant: instant, slice(None)
-    ends = [end for _, end in contacts(flight.columns)]
+    ends = [end for _, end in contacts(flight.columns)] or [touch]  # impulses have no end
     if flight.is_piloted:
         ends = [measures.get("separation_time") or ends[-1]]
     last = max(*ends, measures.get("return_time") or touch, touch + 0.01)

@@ -6,9 +6,11 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, NamedTuple
 
+from springback.campaign.analysis.statistics import UNTOUCHED
 from springback.campaign.analysis.thin_flights import (
     ThinFlights,
     largest_in_doubt,
+    summary_command,
     thin_flights,
     without_command,
 )
@@ -17,6 +19,7 @@ from springback.errors import InputError
 
 if TYPE_CHECKING:
     from springback.campaign.access import Campaign
+    from springback.campaign.analysis.statistics import RobotSummary, Summary
     from springback.results.flight import Flight
 
 _LONGER = "or fly longer (simulation.duration)"
@@ -152,18 +155,56 @@ def untouched_line(campaign: Campaign) -> str:
 
     It is empty, too, where the plan's own rule makes a success of that.
     """
-    sql = """SELECT count(*) FILTER (outcome = 'no_contact'), count(*),
-             coalesce(sum(success) FILTER (outcome = 'no_contact'), 0)
-             FROM flights WHERE outcome <> 'refused'"""
-    [(untouched, flown, won)] = campaign.query(sql).rows
-    design = campaign.design
-    is_wanted = design.plan.success is not None and 2 * won > untouched
-    if 2 * untouched <= flown or is_wanted or not any(map(_can_touch, design.bases)):
+    sql = "SELECT count(*) FILTER (outcome = 'no_contact'), count(*) FROM flights"
+    [(untouched, flown)] = campaign.query(f"{sql} WHERE outcome <> 'refused'").rows
+    if 2 * untouched <= flown or not _is_to_touch(campaign):
         return ""
+    design = campaign.design
     piloted = any(base.get("reference") or base.get("pilot") for base in design.bases)
     return (
         f"{untouched} of {flown} flights touched nothing (no_contact): {_TO_CHANGE[bool(piloted)]}"
     )
+
+
+def _is_to_touch(campaign: Campaign) -> bool:
+    """True if there is something to touch, and the plan's own rule wants no flight to miss it."""
+    sql = "SELECT count(*), coalesce(sum(success), 0) FROM flights WHERE outcome = 'no_contact'"
+    [(untouched, won)] = campaign.query(sql).rows
+    design = campaign.design
+    is_wanted = design.plan.success is not None and 2 * won > untouched
+    return not is_wanted and any(map(_can_touch, design.bases))
+
+
+def has_misses(found: Summary) -> bool:
+    """True if some flights of a campaign touch nothing, and others touch what is there."""
+    missed = any(one.misses for one in found.robots)
+    return missed and any(one.touches for one in found.robots) and _is_to_touch(found.campaign)
+
+
+def missed_lines(found: Summary) -> list[str]:
+    """Lines on flights that touch nothing but count in the share of successes.
+
+    One for each robot that has such flights, and one on how to leave them out; see `has_misses`.
+    """
+    if not has_misses(found):
+        return []
+    lines = [_missed(one) for one in found.robots if one.misses]
+    command = summary_command(found.campaign, f"not {UNTOUCHED}")
+    return [*lines, f"shares, maps and indices of those that touch alone: {command}"]
+
+
+def _missed(one: RobotSummary) -> str:
+    """Line on a robot's flights that touch nothing, and how they count."""
+    flown, won_misses = one.flights - one.refused, one.successes - one.touch_successes
+    counted = (
+        "none of which is a success" if not won_misses
+        else "all of them successes by the rule" if won_misses == one.misses
+        else f"{won_misses} of them successes by the rule"
+    )  # fmt: skip
+    said = f"{one.robot}: {one.misses} of {flown} flights touched nothing (no_contact), {counted}"
+    if not one.touches:
+        return said
+    return f"{said}; of the {one.touches} that touched something, {one.touch_successes} succeed"
 
 
 def pressing_line(campaign: Campaign) -> str:

@@ -12,6 +12,8 @@ from springback.campaign.analysis.worst_case import WorstCase, WorstCaseMap
 from springback.files import write_json
 from springback.interfaces.output.no_contact import (
     doubt_lines,
+    has_misses,
+    missed_lines,
     pierced_lines,
     pressing_line,
     untouched_line,
@@ -42,8 +44,13 @@ def summary_text(
     """Summary for a terminal; see `write_summary`."""
     about = found.campaign.metadata
     done, of = found.campaign.done, about["flights"]
-    known = found.campaign
-    said = (untouched_line(known), pressing_line(known), *pierced_lines(known))
+    known, misses = found.campaign, has_misses(found)
+    said = (
+        *missed_lines(found),
+        untouched_line(known),
+        pressing_line(known),
+        *pierced_lines(known),
+    )
     remarks = filter(None, said)
     state = "complete" if done == of else f"{100.0 * done / of:.1f} %, continue with --resume"
     lines = [
@@ -52,7 +59,7 @@ def summary_text(
         *(f"only flights with: {text}" for text in found.campaign.conditions),
         *(f"drawn: {text}" for text in drawn_ranges(found.campaign)),
         "",
-        as_text(*outcome_table(found.robots)),
+        as_text(*outcome_table(found.robots, misses=misses)),
         *([found.refusal] * bool(found.refusal)),
         *remarks,
         "",
@@ -61,7 +68,7 @@ def summary_text(
     ]
     lines += ["", *(pair.sentence() for pair in found.pairs)] * bool(found.pairs)
     for by in levels:
-        lines += ["", f"by {by.field.name}", as_text(*level_table(by))]
+        lines += ["", f"by {by.field.name}", as_text(*level_table(by, misses=misses))]
         lines += [pair.sentence() for pair in by.pairs]
         lines += ["", as_text(*level_quantile_table(by))]
     for one in measures:

@@ -22,6 +22,8 @@ from springback.interfaces.figures.worst_case import worst_case_figure, worst_ca
 from springback.interfaces.output.folders import file_stem
 from springback.interfaces.output.no_contact import (
     doubt_lines,
+    has_misses,
+    missed_lines,
     pierced_lines,
     pressing_line,
     untouched_line,
@@ -40,7 +42,7 @@ from springback.interfaces.reports.outcomes import (
     measure_unit,
     outcome_table,
     quantile_table,
-    share_text,
+    success_text,
 )
 from springback.interfaces.reports.page import (
     Blocks,
@@ -88,8 +90,8 @@ def write_page(
     """
     flown = sum(one.flights - one.refused for one in found.robots) / len(found.robots)
     count = cells or max(4, min(MOST_CELLS, math.isqrt(int(flown / FLIGHTS_EACH))))
-    taken = set[str]()
-    drawn = [_pictures(found.campaign, one, pairs, count, taken) for one in reports]
+    taken, misses = set[str](), has_misses(found)
+    drawn = [_pictures(found.campaign, one, pairs, count, taken, misses) for one in reports]
     limits = [_limit_blocks(found.campaign, one, taken) for one in worst_cases]
     written = []
     pictured = [block for blocks in (*drawn, *limits) for block in blocks]
@@ -97,7 +99,7 @@ def write_page(
         written += style.save(block.figure, folder / block.name, image=block.image)
     more: dict[str, Content] = {
         "limits": {"answers": [block for blocks in limits for block in blocks]},
-        "levels": {"fields": [block for one in levels for block in _level_blocks(one)]},
+        "levels": {"fields": [block for one in levels for block in _level_blocks(one, misses)]},
     }
     sections = _sections(found, reports, drawn, more)
     lead = WORDS.say(
@@ -122,10 +124,11 @@ def _pictures(
     pairs: Sequence[tuple[str, str]],
     cells: int,
     taken: set[str],
+    misses: bool,
 ) -> list[FigureBlock]:
     """Figures of success or a measure: distribution, over each field, sensitivity, maps.
 
-    ``taken`` are names of files, as of `file_stem`.
+    ``taken`` are names of files, as of `file_stem`; ``misses`` tells that of `has_misses`.
     """
     whose, what = ([], "") if one.name == SUCCESS else ([one.name], _plain(one.name))
     key = "success" if one.name == SUCCESS else "measure"
@@ -133,6 +136,7 @@ def _pictures(
 
     def add(name: str, figure: style.StyledFigure, caption: str, *of: str, **given: Any) -> None:
         said = WORDS.say(caption, confidence=100 * CONFIDENCE, what=what, **given)
+        said += f" {WORDS.say('misses')}" if misses and key == "success" else ""
         blocks.append(FigureBlock(file_stem(name, *whose, *of, taken=taken), said, figure))
 
     if one.distribution is not None:
@@ -197,9 +201,9 @@ def _paragraphs(lines: Sequence[str]) -> list[str]:
     return [f"{text}." for text in found]
 
 
-def _level_blocks(found: FieldSummary) -> Blocks:
+def _level_blocks(found: FieldSummary, misses: bool) -> Blocks:
     """Outcomes by the levels of a field, and the levels compared in pairs."""
-    lines = _entries(*level_table(found))
+    lines = _entries(*level_table(found, misses=misses))
     caption = WORDS.say("levels", field=_plain(found.field.name))
     outcomes = table(caption, [str(word) for word in lines[0]], lines[1:])
     lines = _entries(*level_quantile_table(found))
@@ -216,10 +220,10 @@ def _sections(
 ) -> list[Section]:
     """Sections of the page; ``more`` are those of limits and levels."""
     confidence = {"confidence": 100 * CONFIDENCE}
-    success, replays = reports[0], failures(found.campaign)
+    success, replays, misses = reports[0], failures(found.campaign), has_misses(found)
     pictures = {block.name: block for block in drawn[0]}
     shares = "; ".join(
-        f"{robot_label(one.robot)} {share_text(one.success)}" for one in found.robots
+        f"{robot_label(one.robot)} {success_text(one, misses=misses)}" for one in found.robots
     )
     refusal = success.sensitivity.refusal
     content: dict[str, Content] = {
@@ -228,6 +232,7 @@ def _sections(
             "conditions": "; ".join(found.campaign.conditions),
             "drawn": _plain("; ".join(drawn_ranges(found.campaign))),
             "refusal": f": {found.refusal}" if found.refusal else "",
+            "missed": _with_command(missed_lines(found)),
             "untouched": _plain(untouched_line(found.campaign)),
             "pressing": _plain(pressing_line(found.campaign)),
             "pierced": _with_command(pierced_lines(found.campaign)),
@@ -235,7 +240,7 @@ def _sections(
             "first": [pictures[name] for name in ("marginals",) if name in pictures],
         },
         **more,
-        "robots": {"outcomes": _entries(*outcome_table(found.robots))},
+        "robots": {"outcomes": _entries(*outcome_table(found.robots, misses=misses))},
         "sensitivity": {
             "indices": [pictures[name] for name in ("sensitivity",) if name in pictures],
             "refusal": f"Indices are missing: {_plain(refusal)}." if refusal else "",

@@ -10,6 +10,7 @@ from importlib.util import find_spec
 from springback.campaign.access import Campaign
 from springback.results.flight import Flight
 
+MEANING_OF_IMPULSE = "of forces at contacts; weight, rotors and air are not in it"
 _LEFT = ' style="text-align:left"'
 
 
@@ -23,9 +24,12 @@ def flight_html(flight: Flight) -> str:
     principal = flight.readable_measures()
     every = flight.readable_measures(all_of_them=True)
     rows = [(line.name, line.text, line.meaning) for line in every]
+    short = [(line.name, line.text, line.meaning) for line in principal]
+    if flight.impulse_text:
+        short.append(("impulse", flight.impulse_text, MEANING_OF_IMPULSE))
     return (
         f"<div>{head}{_picture(flight)}"
-        f"{_table([(line.name, line.text, line.meaning) for line in principal])}"
+        f"{_table(short)}"
         f"<details><summary>all {len(rows)} measures</summary>{_table(rows)}</details></div>"
     )
 

@@ -27,32 +27,42 @@ Rows = tuple[list[str], list[tuple[Any, ...]]]
 """Heads of a table, and its rows."""
 
 
-def outcome_table(robots: Sequence[RobotSummary], outcomes: Sequence[str] = ()) -> Rows:
+def outcome_table(
+    robots: Sequence[RobotSummary], outcomes: Sequence[str] = (), *, misses: bool = False
+) -> Rows:
     """Table of flights, success and outcomes, a row for each robot.
 
     Args:
         robots: Summaries.
         outcomes: Outcomes that have a column; by default all that any robot has.
+        misses: Add the share among the flights that touched something.
     """
     words = outcomes or sorted({word for robot in robots for word in robot.outcomes})
     rows = [
         (
             one.robot, one.flights, one.refused, one.ledger_open, share_text(one.success),
+            *[share_text(one.touch_success)] * misses,
             *(one.outcomes.get(word, 0) for word in words),
         )
         for one in robots
     ]  # fmt: skip
-    return ["robot", "flights", "refused", "ledger open", "success (95 % interval)", *words], rows
+    shares = ["success (95 % interval)", *["of those that touch (95 %)"] * misses]
+    return ["robot", "flights", "refused", "ledger open", *shares, *words], rows
 
 
-def level_table(found: FieldSummary) -> Rows:
-    """Table of flights, success and outcomes, a row for each level of a field and robot."""
+def level_table(found: FieldSummary, *, misses: bool = False) -> Rows:
+    """Table of flights, success and outcomes, a row for each level of a field and robot.
+
+    Args:
+        found: The summaries by level.
+        misses: As of `outcome_table`.
+    """
     every = [robot for robots in found.levels.values() for robot in robots]
-    head, _ = outcome_table(every)
-    words = head[len(outcome_table([])[0]) :]
+    head, _ = outcome_table(every, misses=misses)
+    words = head[len(outcome_table([], misses=misses)[0]) :]
     rows = []
     for level, robots in found.levels.items():
-        for one in outcome_table(robots, words)[1]:
+        for one in outcome_table(robots, words, misses=misses)[1]:
             rows.append((cell_text(found.field, *found.field.bounds(level)), *one))
     return [found.field.name, *head], rows
 
@@ -169,6 +179,14 @@ def share_text(estimate: IntervalEstimate) -> str:
         return "-"
     value, low, high = (100.0 * x for x in (estimate.value, estimate.low, estimate.high))
     return f"{value:.2f} % ({low:.2f} to {high:.2f})"
+
+
+def success_text(one: RobotSummary, *, misses: bool = False) -> str:
+    """Share of successes with its interval, and that among flights that touch, if some miss."""
+    every = share_text(one.success)
+    if not misses or not one.misses or not one.touches:
+        return every
+    return f"{every}, of the {one.touches} that touched something {share_text(one.touch_success)}"
 
 
 def drawn_ranges(campaign: Campaign) -> list[str]:

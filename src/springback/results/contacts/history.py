@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -130,6 +131,50 @@ def _all_contacts(like: TreeLayout, instants: Buffer, out: Buffer) -> None:
     """Write `PartContact` of each part for each instant; rows of the buffers hold the leaves."""
     for i in range(instants.shape[0]):
         write(_contacts(read(like, instants[i], 0, 1, 0)), out[i], 0, 1, 0)
+
+
+#: Parts whose gaps differ by less touch together [m] (chosen: steps land on a touch).
+TOGETHER = 1e-6
+
+
+def nearest_impulsive(at: Instant) -> dict[int, Vec]:
+    """Parts that are nearest to surfaces of the impulse law, and where they touch, world [m].
+
+    Args:
+        at: An instant, evaluated in plain Python.
+
+    Returns:
+        By the number of the cage from 0, then of the hull; empty without such a surface.
+    """
+    near = sorted(_impulsive_contacts(at), key=lambda one: one[0])
+    touching = [one for one in near if one[0] <= near[0][0] + TOGETHER]
+    return {part: point for _, part, point in sorted(touching, key=lambda one: one[1])}
+
+
+def _impulsive_contacts(at: Instant) -> Iterator[tuple[float, int, Vec]]:
+    """Gap [m], number of the part and point [m] of each face of the impulse law."""
+    state, airframe = at.state, at.airframe
+    around = body_sight(at.world.obstacles, state, 0.0)
+    for part, (arm, length, rate, memory) in enumerate(
+        zip(
+            airframe.arms, coordinates_of_arms(airframe.arms[0], state),
+            rates_of_arms(airframe.arms[0], state), arm_memory(state.memory, airframe.arms),
+            strict=True,
+        )
+    ):  # fmt: skip
+        pose, obstacles, body = arm_sight(arm, length, rate, around)
+        for face in arm_faces(arm, obstacles, at.contact_point, pose, 1.0):
+            yield from _impulsive(face_contact(face, 1.0, memory, pose, body), part, body)
+    hulls = zip(airframe.hull, hull_memory(state.memory, airframe.hull), strict=True)
+    for part, (hull, memory) in enumerate(hulls, start=len(airframe.arms)):
+        body = hull_motion(hull, memory, around.body)
+        for face in hull_faces(hull, around.obstacles, 1.0):
+            yield from _impulsive(hull_contact(face, 1.0, memory, hull, body), part, body)
+
+
+def _impulsive(met: CageContact, part: int, body: BodyMotion) -> Iterator[tuple[float, int, Vec]]:
+    if met.impulsive > 0.0:
+        yield met.gap, part, body.position + body.r @ met.pressing_at
 
 
 class ContactHistory(NamedTuple):

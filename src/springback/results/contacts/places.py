@@ -27,8 +27,9 @@ from springback.contact.worlds import BuiltIn
 from springback.kernels.routines import number_at, routines_compiled
 from springback.kernels.trees import rebuilt
 from springback.kernels.vectors import Vec
-from springback.results.contacts.history import model_of
-from springback.results.contacts.spans import ContactSpan, contact_spans, parts_of
+from springback.results.contacts.history import model_of, nearest_impulsive
+from springback.results.contacts.jumps import Jump, jumps_of
+from springback.results.contacts.spans import ContactSpan, contact_spans, part_name, parts_of
 from springback.results.contacts.stored import stored_point
 from springback.results.pair.contacts import PairView, pair_view
 from springback.results.result import FlightResult, ObstacleContact
@@ -301,6 +302,43 @@ def contact_places(flight: FlightResult, spans: Sequence[ContactSpan]) -> list[C
     return found + [None] * (len(spans) - len(found))
 
 
+class JumpContact(NamedTuple):
+    """A jump of the motion, and what touched what."""
+
+    jump: Jump
+    parts: tuple[int, ...]  # numbers of the cages from 0, then of the hull
+    names: tuple[str, ...]  # of these parts, in words
+    place: ContactPlace  # of the first of them
+
+
+def jump_contacts(flight: FlightResult) -> list[JumpContact]:
+    """Jumps of a flight at surfaces of the impulse law, in order of time; `MOST` of them at most.
+
+    Args:
+        flight: With its trajectory.
+    """
+    jumps = list(jumps_of(flight.columns))[:MOST]
+    is_read = bool(flight.own_surfaces) and not flight.own
+    if not jumps or is_read:  # no file holds laws of the user's own
+        return []
+    given, guard = _evaluation(flight), flight.scenario.vehicle.guard_word
+    parts, found = parts_of(flight.columns), []
+    for jump in jumps:
+        instant = _instant(given.model, given.columns, jump.before + 1)
+        with routines_compiled():
+            touched = nearest_impulsive(instant)
+            if not touched:
+                continue
+            numbers = tuple(touched)
+            point = touched[numbers[0]]
+            near = _all_near(given.model.world.obstacles, instant.state.bodies, point, given.names)
+            name = min(near).name
+        there = ContactPlace(name, (point.x, point.y, point.z), name in given.names.grounds)
+        words = tuple(part_name(parts[k], guard) for k in numbers)
+        found.append(JumpContact(jump, numbers, words, there))
+    return found
+
+
 def obstacle_contacts(flight: FlightResult) -> tuple[ObstacleContact, ...]:
     """Obstacles that a vehicle touched, in order of their first contacts.
 
@@ -309,10 +347,36 @@ def obstacle_contacts(flight: FlightResult) -> tuple[ObstacleContact, ...]:
     """
     spans = sorted(contact_spans(flight), key=lambda one: one.begin)
     met: dict[str, list[tuple[ContactSpan, ContactPlace]]] = {}
+    begins: dict[str, float] = {}
     for one, place in zip(spans, contact_places(flight, spans), strict=True):
         if place is not None:
             met.setdefault(place.obstacle, []).append((one, place))
-    return tuple(_hardest(name, each) for name, each in met.items())
+            begins.setdefault(place.obstacle, one.begin)
+    found = {name: _hardest(name, each) for name, each in met.items()}
+    struck: dict[str, list[JumpContact]] = {}
+    for hit in jump_contacts(flight):
+        struck.setdefault(hit.place.obstacle, []).append(hit)
+    for name, hits in struck.items():
+        begins[name] = min(begins.get(name, math.inf), hits[0].jump.begin)
+        found[name] = _largest(name, hits, found.get(name))
+    return tuple(found[name] for name in sorted(found, key=lambda name: begins[name]))
+
+
+def _largest(
+    name: str, hits: Sequence[JumpContact], pressed: ObstacleContact | None
+) -> ObstacleContact:
+    """What a vehicle touched by impulses, and by forces, too, if it has a mat of its own."""
+    hit = max(hits, key=lambda one: one.jump.size)
+    count, parts = sum(len(one.parts) for one in hits), {p for one in hits for p in one.names}
+    if pressed is not None:
+        return pressed._replace(
+            contacts=pressed.contacts + count, parts=tuple(sorted(parts | {*pressed.parts})),
+            impulse=hit.jump.size,
+        )  # fmt: skip
+    return ObstacleContact(
+        name, count, tuple(sorted(parts)), 0.0, hit.jump.begin, " and ".join(hit.names),
+        hit.place.point, hit.jump.size,
+    )  # fmt: skip
 
 
 def _hardest(name: str, each: list[tuple[ContactSpan, ContactPlace]]) -> ObstacleContact:

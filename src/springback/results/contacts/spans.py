@@ -33,12 +33,22 @@ class ContactSpan(NamedTuple):
     @property
     def name(self) -> str:
         """Of the part, in words."""
-        return f"{self.guard} {self.arm}" if self.arm else "the main body"
+        return part_name(str(self.arm) if self.arm else "", self.guard)
 
 
 def parts_of(columns: Mapping[str, Array]) -> list[str]:
     """Suffixes of the columns of forces: one for each cage, and one for a main body with a hull."""
     return [name[2:] for name in columns if name.startswith("fn")]
+
+
+def part_name(part: str, guard: str) -> str:
+    """A part in words.
+
+    Args:
+        part: Suffix of its columns, as of `parts_of`.
+        guard: What an arm touches with, in words.
+    """
+    return f"{guard} {part}" if part.isdigit() else "the main body"
 
 
 def contact_mask(columns: Mapping[str, Array]) -> np.ndarray[Any, np.dtype[np.bool_]]:

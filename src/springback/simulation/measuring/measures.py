@@ -78,18 +78,19 @@ MEASURES = {
     "touch_time": ("s", "first touch"),
     "touch_speed": (
         "m/s",
-        "speed of the main body into the obstacle at first touch, relative to it",
+        "speed of the main body into the obstacle at first touch, along its normal, relative to it",
     ),
     "touch_x": ("m", "where it is touched first, world X; unknown on another vehicle"),
     "touch_y": ("m", "the same, world Y"),
     "touch_z": ("m", "the same, world Z"),
     "separation_time": ("s", "last separation of the first impact"),
     "return_time": ("s", "main body back where it was at first touch"),
-    "contact_time": ("s", "first touch to last separation of the first impact"),
+    "contact_time": ("s", "first touch to last separation of the first impact; impulses have none"),
     "time_to_return": ("s", "first touch to the main body's return"),
     "travel": (
         "m",
-        "of the main body past its place at first touch, into the obstacle, until last separation",
+        "way of the main body into the obstacle, from its place at first touch until last "
+        "separation; 0 if it is driven back from there on",
     ),
     "impact_peak_acceleration": (
         "m/s^2",
@@ -129,9 +130,9 @@ MEASURES = {
     "penetration": ("m", "whole flight: deepest penetration of a guard, or the main body"),
     "arm_stroke": ("m", "whole flight: largest compression of an arm"),
     "arm_extension": ("m", "whole flight: largest extension of an arm past its free length"),
-    "impulse_x": ("N s", "of all contact forces, world X"),
-    "impulse_y": ("N s", "of all contact forces, world Y"),
-    "impulse_z": ("N s", "of all contact forces, world Z"),
+    "impulse_x": ("N s", "whole flight: of all contact forces on the vehicle, world X"),
+    "impulse_y": ("N s", "the same, world Y"),
+    "impulse_z": ("N s", "the same, world Z"),
     "contacts": ("", "number of times that the vehicle came into contact"),
     "body_contacts": ("", "number of times that the main body came into contact; needs a hull"),
     "impacts": ("", "number of impacts: contacts closer together than the dwell time are one"),
@@ -260,8 +261,8 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
     balance = ledger_balance(work, before, after)
     touched = first.touch_time >= 0.0
     left, back = first.separation_time >= 0.0, first.return_time >= 0.0
-    # An impulse is over at once, and what it does to velocities has no acceleration.
-    pushed = touched & ~(left & (first.separation_time <= first.touch_time))
+    # Impulses, one or several after each other, last no time and have no force nor acceleration.
+    pushed = touched & (impact.normal_force > 0.0)
     felt = ~touched | pushed | (peaks.normal_force > 0.0)
     values: dict[str, Any] = {
         "restitution_at_separation": _ratio(first.separation_speed, first.touch_speed, left),
@@ -276,9 +277,9 @@ def measure_columns(record: Any, work: Any, before: Any, after: Any) -> dict[str
         **{f"touch_{axis}": where(touched, getattr(first.point, axis)) for axis in "xyz"},
         "separation_time": _time(first.separation_time),
         "return_time": _time(first.return_time),
-        "contact_time": where(left, first.separation_time - first.touch_time),
+        "contact_time": where(left & pushed, first.separation_time - first.touch_time),
         "time_to_return": where(back, first.return_time - first.touch_time),
-        "travel": first.travel,
+        "travel": where(pushed, first.travel),
         "impact_peak_acceleration": where(pushed, impact.acceleration),
         "impact_peak_acceleration_time": where(pushed, _time(impact.acceleration_time)),
         "impact_peak_specific_force": where(pushed, impact.specific_force),
