@@ -14,7 +14,7 @@ from springback.interfaces.replay.scene import Scene
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
-ROOM = 1.2
+ROOM = 1.15
 """Chosen: half the width or height of a view, over the reach of the robot in it."""
 WIDEST = 1.4
 """Chosen: largest half width of a view [m]; on longer flights the view follows the robot."""

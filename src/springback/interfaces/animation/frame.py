@@ -26,6 +26,8 @@ ARROW = 0.28
 """Chosen: length of the arrow of the largest contact force [m]."""
 CURVE, HEAD, GAP = 0.25, 0.07, 0.004
 """Chosen: heights of curve and clock and gap between the views, as fractions of the figure."""
+MOST_GIVEN, SPACE, SMALL = 0.0888, 8.0, 9.0
+"""Chosen: compression for which there is room [m], room after a name [px], its small type [pt]."""
 ROW = 0.042
 """Chosen: height of the line above the views with a robot's name and numbers, likewise."""
 
@@ -112,7 +114,7 @@ class Frame:
         self.said.append([])
         for row, scene in enumerate(scenes):  # beside the views, where they cover nothing
             y = 1.0 - HEAD - ROW * (row + 0.5)
-            self.figure.text(
+            name = self.figure.text(
                 k * width + 0.012, y, escape(scene.label), va="center", weight="bold",
                 fontsize=12 * self.unit, color=LOOKS[(k + row) % 2].colour,
             )  # fmt: skip
@@ -122,7 +124,20 @@ class Frame:
                     fontsize=10 * self.unit, animated=True,
                 )
             )  # fmt: skip
+            self._fit(name, self.said[-1][-1], scene)
         return upper, lower
+
+    def _fit(self, name: Any, line: Any, scene: Scene) -> None:
+        """Write a robot's name smaller, then shorten it, where the numbers beside it need room."""
+        line.set_text(_words(scene, float(_size(scene.force.sum(axis=1)).max()), MOST_GIVEN))
+        room, label = line.get_window_extent().x0 - name.get_window_extent().x0, scene.label
+        line.set_text("")
+        room -= SPACE * self.unit
+        if name.get_window_extent().width > room:
+            name.set_fontsize(SMALL * self.unit)
+        while label and name.get_window_extent().width > room:
+            label = label[:-1]
+            name.set_text(escape(f"{label.rstrip()}…"))
 
     def _place_views(self) -> None:
         """Give the views their places: the side view is as high as its robots need."""
@@ -168,12 +183,15 @@ def _size(vectors: Array) -> Array:
 
 def _caption(scene: Scene, now: SceneInstant) -> str:
     """Sum of all contact forces, and compression of the arms, in one line."""
-    said = f"contact, sum {float(_size(now.force.sum(axis=0))):.0f} N"
-    if any(arm.compliant for arm in scene.arms):
-        given = enumerate(zip(scene.arms, now.lengths, strict=True))
-        pressed = [arm.yielding(v, now.bend(j)) for j, (arm, v) in given]
-        said += f", arms give {1e3 * max(*pressed, 0.0):.1f} mm"
-    return said
+    given = enumerate(zip(scene.arms, now.lengths, strict=True))
+    pressed = [arm.yielding(v, now.bend(j)) for j, (arm, v) in given]
+    return _words(scene, float(_size(now.force.sum(axis=0))), max(*pressed, 0.0))
+
+
+def _words(scene: Scene, force: float, pressed: float) -> str:
+    """A force [N] and, of arms that give, the largest compression [m], in one line."""
+    gives = any(arm.compliant for arm in scene.arms)
+    return f"contact, sum {force:.0f} N{f', arms give {1e3 * pressed:.1f} mm' * gives}"
 
 
 class _Curve:
