@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from builders.cases import nonempty
-from interfaces.animation.test_animation import thrown
+from builders.films import thrown
 from springback.interfaces.animation import timing
 from springback.interfaces.animation.aim import FLAT, NEAR_GROUND, STRIP, WIDEST
 from springback.interfaces.animation.bodies import pose

@@ -440,13 +440,20 @@ def test_bodies_of_two_flights_stand_apart_or_are_one(driver: Any, tmp_path: Pat
     assert {case for case, text in legends.items() if "overlaid" in text} == {("doorway", "side")}
     assert all((one == "ghost") == (case != ("hoop", "side")) for case, one in marked.items())
     assert all(one == (case[0] == "hoop") for case, one in usable.items())
+    assert complaints(driver) == []
+
+
+def test_forces_of_both_flights_are_labelled_where_one_lies_over_the_other(
+    driver: Any, flights: list[Flight], page: Path
+) -> None:
+    """Each in the colour of its flight: those of the second had no number."""
     touch = flights[0].measures["touch_time"]
     assert touch is not None
-    driver.execute_script("window.springback.player.seek(arguments[0])", touch + 0.004)
+    opened(driver, page, f"#compare=ghost&camera=impact&t={touch + 0.004}")
+    assert all(any(one["contacts"]) for one in pose(driver)["flights"])
     until(lambda: len(driver.find_elements("css selector", FORCES)) >= 2)
-    colours = {one.value_of_css_property("color") for one in driver.find_elements(
-        "css selector", FORCES)}  # fmt: skip
-    assert len(colours) == 2  # of both flights that lie over each other
+    labels = driver.find_elements("css selector", FORCES)
+    assert len({one.value_of_css_property("color") for one in labels}) == 2
     assert complaints(driver) == []
 
 

@@ -28,7 +28,7 @@ SIDEWAYS = 0.5
 """A view is from the side if the vertical component of its way up exceeds this."""
 
 
-class DrawnExtent(NamedTuple):
+class ViewBox(NamedTuple):
     """What a view must hold in each frame; right and up, in the view's plane [m]."""
 
     low: Array  # corner of the box around the robots, shape (frames, 2)
@@ -99,7 +99,7 @@ def instants_of(scene: Scene, begin: float, end: float) -> Any:
     return inside
 
 
-def _extent(panel: ScenePanel, timing: FilmTiming) -> DrawnExtent:
+def _extent(panel: ScenePanel, timing: FilmTiming) -> ViewBox:
     """What a view must hold of the robots, and of the ground close below."""
     count, grounds = len(timing.t), _grounds(panel)
     low, high, reach = np.full((count, 2), np.inf), np.full((count, 2), -np.inf), np.zeros(2)
@@ -114,7 +114,7 @@ def _extent(panel: ScenePanel, timing: FilmTiming) -> DrawnExtent:
             middle = panel.view(now.position)
             reach = np.maximum(reach, np.maximum(middle - begin, end - middle))
             low[k], high[k] = np.minimum(low[k], begin), np.maximum(high[k], end)
-    return DrawnExtent(low, high, reach, low.min(axis=0), high.max(axis=0))
+    return ViewBox(low, high, reach, low.min(axis=0), high.max(axis=0))
 
 
 def _grounds(panel: ScenePanel) -> list[float]:
@@ -124,7 +124,7 @@ def _grounds(panel: ScenePanel) -> list[float]:
 
 
 def _around(
-    panel: ScenePanel, centre: Array, now: Sequence[SceneInstant], extent: DrawnExtent
+    panel: ScenePanel, centre: Array, now: Sequence[SceneInstant], extent: ViewBox
 ) -> Array:
     """Half the size of a box around a point that holds the robots at any time, shape (2,) [m]."""
     away = [np.abs(panel.view(one.position) - panel.view(centre)) for one in now]

@@ -33,7 +33,7 @@ from springback.interfaces.replay.form_meshes import (
     mesh_body_mesh,
     net_mesh,
 )
-from springback.interfaces.replay.part_names import part_names
+from springback.interfaces.replay.part_labels import part_names
 from springback.interfaces.replay.shape_meshes import (
     EndSpan,
     ShapeMesh,

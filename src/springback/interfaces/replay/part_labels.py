@@ -33,12 +33,12 @@ def part_names(entries: Sequence[Any]) -> dict[int, str]:
         for stem, parts in groups.items():
             kinds = list(dict.fromkeys(part.obstacle.type for part in parts))
             kind = f" ({', '.join(kinds)})" if len(kinds) <= MOST_KINDS else ""
-            word = shortened(f"{entry.name}/{stem}" if entry.name else stem)
+            word = short_name(f"{entry.name}/{stem}" if entry.name else stem)
             found |= {id(part.obstacle): f"{word}{kind}" for part in parts}
     return found
 
 
-def shortened(name: str) -> str:
+def short_name(name: str) -> str:
     """A name with its middle left out if it is longer than `LONGEST`."""
     if len(name) <= LONGEST:
         return name

@@ -8,7 +8,7 @@ import numpy as np
 from builders.cases import nonempty
 from builders.world_files import BOX, imported, sdf, sdf_model
 from springback.interfaces.replay.geometry import MOST_PARTS, drawables
-from springback.interfaces.replay.part_names import LONGEST, part_names, shortened
+from springback.interfaces.replay.part_labels import LONGEST, part_names, short_name
 from springback.scenario.worlds.imported import Imported
 
 FLOWN = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 1.0]])
@@ -61,5 +61,5 @@ def test_long_names_keep_their_ends(tmp_path: Path) -> None:
     names = part_names([imported(tmp_path, "w.sdf", text)])
     for name in nonempty(list(names.values())):
         assert len(name.removesuffix(" (box)").removesuffix(" (pole)")) <= LONGEST
-    assert shortened("a_cupboard_of_a_long_name_7") == "a_cupboard_o…long_name_7"
-    assert shortened("crate") == "crate"
+    assert short_name("a_cupboard_of_a_long_name_7") == "a_cupboard_o…long_name_7"
+    assert short_name("crate") == "crate"
