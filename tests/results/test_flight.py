@@ -121,6 +121,24 @@ def test_events_are_where_measures_and_columns_say(flight: Flight) -> None:
     assert "stop" not in first
 
 
+def test_the_end_of_the_force_and_the_separation_are_told_apart(flight: Flight) -> None:
+    """A viscous surface comes back slower than a vehicle leaves it: two ends, and why."""
+    said = {e.kind: e.text for e in flight.events}
+    assert said["release"].startswith("cage ")
+    assert " is without force after " in said["release"]
+    assert "without force" not in said["separation"]
+    later = replace(flight, measures=flight.measures | {
+        "separation_time": value(flight, "separation_time") + 0.01,
+    })  # fmt: skip
+    [separation] = [e for e in later.events if e.kind == "separation"]
+    last = 1e3 * (separation.t - max(e.t for e in later.events if e.kind == "release"))
+    assert last == pytest.approx(10.0, abs=0.1)
+    assert separation.text.endswith(
+        f"the last {last:.1f} ms of them without force, still within the obstacle's undeformed "
+        "surface"
+    )
+
+
 def test_end_stops_are_events_of_their_arms() -> None:
     flight = flown("arq", speed=6.0, yaw=0.78)
     stops = [e for e in flight.events if e.kind == "stop"]

@@ -55,6 +55,14 @@ export function choice(label, options, chosen, onchoose) {
   return Object.assign(group, { mark, press });
 }
 
+/** Mark in a choice of "side" and "ghost" how flights are compared: overlaid where they cannot stand side by side. */
+export function markCompare(group, scene) {
+  const [side] = group.children;
+  side.disabled = scene.tooWide;
+  side.title = side.disabled ? "The obstacles are too wide to be put side by side." : "";
+  group.mark(scene.compared);
+}
+
 /** A button that switches something on and off. */
 export function toggle(name, on, onchange, title = "") {
   const button = create("button", { type: "button", title, "aria-pressed": String(on), onclick: () => {

@@ -8,7 +8,7 @@ import { createLabPlots } from "./lab_plots.js";
 import { createLabSweep } from "./lab_sweep.js";
 import { createFullScreen } from "./full_screen.js";
 import { createLabTable } from "./lab_table.js";
-import { choice, create } from "./elements.js";
+import { choice, create, markCompare } from "./elements.js";
 import { createPlayer } from "./player.js";
 import { CAMERAS, createScene, together } from "./scene.js";
 import { palette } from "./colours.js";
@@ -46,7 +46,7 @@ export function startLab(element, data) {
   const took = create("p", { class: "took" });
   const drawer = create("button", { type: "button", class: "drawer", id: "drawer", "aria-expanded": "false", onclick: () => open(!element.classList.contains("open")) }, "Settings");
   const cameras = choice("Camera", CAMERAS.filter((mode) => VIEWS[mode]).map((mode) => [mode, VIEWS[mode]]), "impact", (mode) => scene.setCamera(mode));
-  const compare = choice("Two robots", [["side", "side by side"], ["ghost", "overlaid"]], "side", (mode) => scene.setCompare(mode));
+  const compare = choice("Two robots", [["side", "side by side"], ["ghost", "overlaid"]], "side", (mode) => (scene.setCompare(mode), markCompare(compare, scene)));
   const timeHead = create("h2");
   const spans = choice("Plots show", [["impact", "impact"], ["all", "all"]], "impact", (which) => {
     whole = which === "all";
@@ -102,6 +102,7 @@ export function startLab(element, data) {
     const seconds = found.flights.flatMap((one) => (one.second ? [one.second] : [])); // after the others, whose order counts
     scene.replace([...found.flights.map((one) => one.scene), ...seconds], { keepCamera: !first && !many });
     compare.hidden = found.flights.length < 2;
+    markCompare(compare, scene);
     if (first) spans.mark((whole = found.is_piloted) ? "all" : "impact");
     moving = Boolean(how.moving);
     player.replace({ keepTime: !first });

@@ -1,7 +1,7 @@
 // The page of springback view: flights, their plots and their numbers.
 import { createCapture } from "./capture.js";
 import { createChooser } from "./chooser.js";
-import { choice, create, icon, toggle } from "./elements.js";
+import { choice, create, icon, markCompare, toggle } from "./elements.js";
 import { hasEstimate } from "./flight.js";
 import { createFullScreen } from "./full_screen.js";
 import { createLink } from "./link.js";
@@ -53,7 +53,7 @@ export function startReplay(element, data) {
   // -- flights and views --------------------------------------------------------------------------
   const legend = flights.map((flight, k) => legendEntry(flight, many && ((on) => setShown(k, on))));
   cameras = choice("Camera", CAMERAS.map((mode) => [mode, NAMES[mode]]), "follow", (mode) => scene.setCamera(mode));
-  const compare = choice("Flights", [["side", "side by side"], ["ghost", "overlaid"]], "side", (mode) => (scene.setCompare(mode), changed()));
+  const compare = choice("Flights", [["side", "side by side"], ["ghost", "overlaid"]], "side", (mode) => (scene.setCompare(mode), markCompare(compare, scene), changed()));
   const bends = flights.some((flight) => flight.arms.some((arm) => arm.compliant));
   const arms = choice("Arm travel", [["1", "arms to scale"], ["10", "arm travel × 10"]], "1", (times) => (scene.setMagnified(Number(times)), changed()));
   const layers = { forces: ["Forces", true], path: ["Path", true], ...(flights.some(hasEstimate) ? { estimate: ["Estimate", false] } : {}) };
@@ -66,6 +66,7 @@ export function startReplay(element, data) {
     if (!on && hidden().length === flights.length - 1) return say("One flight is always shown.");
     legend[k].mark(on);
     scene.setShown(k, on);
+    markCompare(compare, scene);
     player.replace();
     changed();
   }
@@ -141,7 +142,7 @@ export function startReplay(element, data) {
   element.replaceChildren(
     create("header", { class: "top" }, create("div", { class: many ? "flights several" : "flights" }, create("h1", {}, title), ...legend.map((one) => one.element)),
       create("div", { class: "views" }, cameras, ...(worlds > 1 ? [compare] : []), ...(bends ? [arms] : []), layered)),
-    create("main", {}, left, create("aside", {}, readouts,
+    create("main", {}, left, create("aside", {}, ...warnedOf(flights), readouts,
       create("div", { class: "plot-head" }, create("h2", {}, "Over time"), zooms, undo, adding), plotBox, ...touchedBy(flights), aboutOf(flights))),
     chooser.element, keysBox,
   );
@@ -154,6 +155,7 @@ export function startReplay(element, data) {
   } });
   bar.querySelector(".buttons").append(tools);
   player.replace({ keepTime: false });
+  markCompare(compare, scene);
   if (touched) plots.restore({ range: impact(), heights: {} });
   markZoom();
   scene.setCamera("follow");
@@ -172,7 +174,7 @@ export function startReplay(element, data) {
       camera: scene.camera === "follow" ? "" : scene.camera,
       speed: player.pace === "auto" ? "" : player.pace,
       arms: arms.chosen === "10" ? "10" : "",
-      compare: compare.chosen === "ghost" ? "ghost" : "",
+      compare: scene.wantedCompare === "ghost" ? "ghost" : "",
       hide: hidden().join(),
       layers: Object.keys(layers).filter((name) => switches[name].on !== layers[name][1]).join(),
       zoom: isImpact(range) || (!range && !touched) ? "" : range ? range.map((t) => t.toFixed(6)).join() : "all",
@@ -241,6 +243,12 @@ function legendEntry(flight, onToggle) {
 function touchedBy(flights) {
   const lines = flights.flatMap((flight) => flight.touched.map((text) => create("p", {}, flights.length > 1 ? `${flight.label}: ${text}` : text)));
   return lines.length ? [create("details", { class: "about touched", open: flights.length === 1 }, create("summary", {}, "Touched obstacles"), ...lines)] : [];
+}
+
+/** Warnings of each flight, if there are any: at the top, as what they tell of may not be in the view. */
+function warnedOf(flights) {
+  const lines = flights.flatMap((flight) => flight.warnings.map((text) => create("p", {}, flights.length > 1 ? `${flight.label}: ${text}` : text)));
+  return lines.length ? [create("details", { class: "about warned", open: true }, create("summary", {}, lines.length > 1 ? "Warnings" : "Warning"), ...lines)] : [];
 }
 
 function aboutOf(flights) {

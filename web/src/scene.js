@@ -211,7 +211,8 @@ export function createScene(element, { flights = [], compare = "side", align = t
   }
 
   /** "side" or "ghost": as chosen, unless bodies in the way would stand in each other. */
-  const comparison = () => (worlds().length > 1 && widthOfBodies(leftward()) > WIDEST ? "ghost" : state.compare);
+  const comparison = () => (tooWide() ? "ghost" : state.compare);
+  const tooWide = () => worlds().length > 1 && widthOfBodies(leftward()) > WIDEST;
 
   function offsets() {
     if (comparison() !== "side") return state.flights.map(() => [0, 0, 0]);
@@ -265,9 +266,11 @@ export function createScene(element, { flights = [], compare = "side", align = t
         box.expandByPoint(new THREE.Vector3(...flight.position.subarray(3 * i, 3 * i + 3)));
       }
       boxes.union(box.translate(group.position));
+      const several = state.flights.length > 1;
       const names = flight.part.map(() => {
         const name = document.createElement("span");
         labels.append(name);
+        if (several) name.style.color = flight.colour;
         return name;
       });
       return { flight, group, robot, estimate, path, arrows, shadow, scale, names, ghost, contacts: [], movers: [] };
@@ -342,15 +345,17 @@ export function createScene(element, { flights = [], compare = "side", align = t
     for (const actor of actors) {
       actor.names.forEach((name, j) => {
         const contact = actor.contacts[j];
-        name.hidden = actor.ghost || !state.forces || !contact || contact.size < 0.5;
+        name.hidden = !state.forces || !contact || contact.size < 0.5;
         if (name.hidden) return;
         at.set(...contact.point).addScaledVector(new THREE.Vector3(...contact.force), actor.scale);
         at.add(actor.group.position).project(camera);
         name.hidden = at.z > 1 || Math.abs(at.x) > 1 || Math.abs(at.y) > 1;
         name.textContent = `${contact.size.toFixed(contact.size < 10 ? 1 : 0)} N`;
         const x = Math.min(Math.max(((at.x + 1) / 2) * width, 24), width - 24);
-        const y = Math.min(Math.max(((1 - at.y) / 2) * height - 12, 10), height - 10);
-        name.hidden = taken.some(([a, b]) => Math.abs(a - x) < 50 && Math.abs(b - y) < 18);
+        const lowest = Math.min(Math.max(((1 - at.y) / 2) * height - 12, 10), height - 10);
+        const free = (y) => y >= 10 && !taken.some(([a, b]) => Math.abs(a - x) < 50 && Math.abs(b - y) < 18);
+        const y = (actor.ghost ? [0, 1, 2, 3] : [0]).map((k) => lowest - 20 * k).find(free); // of each flight in one place
+        name.hidden = y === undefined;
         if (name.hidden) return;
         taken.push([x, y]);
         name.style.transform = `translate(${x}px, ${y}px) translate(-50%, -50%)`;
@@ -518,6 +523,18 @@ export function createScene(element, { flights = [], compare = "side", align = t
     setCompare(mode) {
       state.compare = mode;
       if (state.flights.length) replace(state.all, { keepCamera: false });
+    },
+    /** "side" or "ghost": how the flights are shown, as chosen if they can be. */
+    get compared() {
+      return comparison();
+    },
+    /** "side" or "ghost": how they were chosen to be shown. */
+    get wantedCompare() {
+      return state.compare;
+    },
+    /** True if the obstacles are too wide to be put side by side. */
+    get tooWide() {
+      return tooWide();
     },
     /** Show or hide a flight by its number, or "forces", "path", "estimate". */
     setShown(what, on) {

@@ -47,6 +47,9 @@ MOST = 12
 
 #: A step lands on the touch of the ground, one more may pass until there is a force [s] (chosen).
 NEAR = 2e-3
+#: Longer contact without force is told of [s] (chosen): a viscous surface comes back slower than a
+#: vehicle leaves it.
+LINGERS = 5e-4
 
 
 class Event(NamedTuple):
@@ -146,6 +149,12 @@ def _contacts(flight: FlightResult, met: _Met, hits: Sequence[JumpContact]) -> l
         lasts = any(one.begin < end and one.end > begin for one, _ in met)
         if (lasts or not hits) and (end < c["t"][-1] or not felt[-1]):
             sentence = f"separates after {1e3 * (end - begin):.1f} ms"
+            pressed = max((one.end for one, _ in met if one.begin < end), default=end)
+            if end - pressed > LINGERS:
+                sentence += (
+                    f", the last {1e3 * (end - pressed):.1f} ms of them without force, still "
+                    "within the obstacle's undeformed surface"
+                )
             found.append(Event(end, "separation", f"off{which}", sentence, value=end - begin))
     hardest, peak = flight.measures.get("peak_acceleration_time"), flight.peak_acceleration
     if impacts and hardest is not None and peak is not None:
@@ -243,7 +252,7 @@ def _parts(flight: FlightResult, met: _Met) -> Iterator[Event]:
         sentence = f"{one.name} touches{what}, normal force up to {one.force:.0f} N"
         label, place = f"{one.name} on", (None, None) if there is None else there[:2]
         yield Event(one.begin, "contact", label, sentence, one.arm, float(speed[one.first]), *place)
-        sentence = f"{one.name} separates after {1e3 * (one.end - one.begin):.1f} ms"
+        sentence = f"{one.name} is without force after {1e3 * (one.end - one.begin):.1f} ms"
         label, lasts = f"{one.name} off", one.end - one.begin
         yield Event(one.end, "release", label, sentence, one.arm, lasts)
     for j, shortest in enumerate(_shortest(flight), start=1):

@@ -27,6 +27,7 @@ from springback.results.measures import FlightMeasures
 from springback.results.meshes import Mesh, surfaces_of
 from springback.results.recovery_measures import RECOVERY_MEASURES
 from springback.scenario.scenario import Scenario
+from springback.scenario.warnings import scenario_warnings
 from springback.scenario.worlds.imported import named_obstacles
 from springback.simulation.measuring.measures import FAILURES, MEASURES, Outcome
 from springback.vehicle.state import reach
@@ -147,6 +148,8 @@ class FlightResult(FlightMeasures):
     """Surfaces of those obstacles for drawing, in a flight that was read back."""
     own_contacts: dict[str, Array] = field(default_factory=dict)
     """Their contacts in a flight that was read back: `springback.results.contacts.stored`."""
+    warned: tuple[str, ...] | None = None
+    """What `warnings` were, of a flight that was read back; None: they are found."""
     second: FlightResult | None = None
     """Flight of the second vehicle, if the scenario has one: at the same instants."""
     first: FlightResult | None = None
@@ -221,6 +224,30 @@ class FlightResult(FlightMeasures):
                 f"not turn backwards and give their minimum, {propulsion.min_thrust:g} N"
             )
         return found
+
+    @cached_property
+    def warnings(self) -> tuple[str, ...]:
+        """What may be meant otherwise or is doubtful, a sentence each, as `springback fly` says it.
+
+        First those about the scenario, such as elements of imported worlds that are not there, then
+        `remarks`.  Those about a second vehicle's flight are among its own.
+        """
+        told = self._of_scenario() if self.warned is None else self.warned
+        mine = tuple(self.remarks.values())
+        return (*(one for one in told if one not in (*mine, *self._beside())), *mine)
+
+    def _of_scenario(self) -> list[str]:
+        """Warnings about the scenario; with two vehicles among those of the first one's flight."""
+        if self.is_second:
+            return []
+        by_own = self.is_piloted and "ref_x" not in self.telemetry
+        return scenario_warnings(self.scenario, own=by_own or self.scenario.pilot is not None)
+
+    def _beside(self) -> list[str]:
+        """Remarks about the flight of the second vehicle."""
+        if self.second is None:
+            return []
+        return [f"second: {sentence}" for sentence in self.second.remarks.values()]
 
     def _doubtful(self) -> list[ThinObstacle]:
         """Obstacles on the way whose forces may not hold to the depth of a contact."""
@@ -372,7 +399,6 @@ class FlightResult(FlightMeasures):
         from springback.version import __version__
 
         known = MEASURES | (RECOVERY_MEASURES if "runs" in self.measures else {})
-        warned = [*self.remarks.values()]
         return {
             "springback": __version__,
             "name": self.scenario.name,
@@ -382,7 +408,7 @@ class FlightResult(FlightMeasures):
             "units": {name: unit for name, (unit, _) in known.items()},
             "scenario": self.scenario.model_dump(mode="json"),
             **self._contacts(),
-            **({"warnings": warned} if warned else {}),
+            "warnings": [*self.warnings, *self._beside()],
             **self._own_obstacles(),
             **({} if self.second is None else {"second": self.second.verdict()}),
         }

@@ -60,6 +60,7 @@ def load(folder: str | Path) -> Flight:
         place_forms(folder / FORMS)
     scenario = _scenario(scenario_path, summary)
     flight = _flight(folder, summary, scenario, summary["files"], "")
+    flight = replace(flight, warned=_warnings(scenario_path, summary))
     if CONTACTS in summary["files"]:
         flight = replace(flight, own_contacts=_contacts(folder / CONTACTS, flight.columns))
     if scenario.second is None:
@@ -121,6 +122,14 @@ def _flight(
     where = f"{folder / 'summary.json'}: own_obstacles"
     surfaces = read_surfaces(verdict.get("own_obstacles", ()), where)
     return Flight(scenario, outcome, measures, columns, units, telemetry, own_surfaces=surfaces)
+
+
+def _warnings(path: Path, summary: Mapping[str, Any]) -> tuple[str, ...]:
+    """Warnings that the flight had; none in results that are older than they are."""
+    told = summary.get("warnings", [])
+    if not isinstance(told, list) or not all(isinstance(one, str) for one in told):
+        raise InputError(f"{path}: warnings: must be a list of texts")
+    return tuple(told)
 
 
 def _contacts(path: Path, trajectory: Mapping[str, Array]) -> dict[str, Array]:

@@ -43,20 +43,28 @@ FLAT = (*PLANES, "box", "edge", "slope", "stairs", "net", "own")
 _PAPERS = ("reference", "control", "estimator", "recovery")
 
 
-def scenario_warnings(scenario: Scenario, *, own: bool = False) -> list[str]:
+def scenario_warnings(
+    scenario: Scenario, *, own: bool = False, given: Set[str] | None = None
+) -> list[str]:
     """Warnings for this scenario, one sentence each.
 
     Args:
         scenario: Scenario to be flown.
         own: True if a pilot of the user's own flies it.
+        given: Tables that the user wrote; None: those that the scenario was made of, but none where
+            it was made of all, as it is saved.
     """
+    if given is None:
+        saved = scenario.model_fields_set >= type(scenario).model_fields.keys()
+        given = frozenset() if saved else scenario.model_fields_set
     found = _unrepresented(scenario) + _curved(scenario)
     found += mesh_warnings(scenario.world.obstacles) + _overdamped(scenario)
     found += _nothing_beside(scenario) + _of_vehicle(scenario)
-    found += _warnings_of_the_pilot(scenario, own, scenario.model_fields_set)
+    found += _warnings_of_the_pilot(scenario, own, given)
     if scenario.second is not None:
-        other, given = scenario.beside(), scenario.second.model_fields_set
-        piloted = _warnings_of_the_pilot(other, other.pilot is not None, given)
+        other = scenario.beside()
+        written = scenario.second.model_fields_set
+        piloted = _warnings_of_the_pilot(other, other.pilot is not None, written)
         found += [f"second: {sentence}" for sentence in _of_vehicle(other) + piloted]
     return found
 

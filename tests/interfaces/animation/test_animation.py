@@ -15,6 +15,7 @@ from click.testing import CliRunner, Result
 from PIL import Image
 
 from builders.cases import nonempty
+from builders.films import thrown
 from springback.contact.library import WALL
 from springback.contact.openings import Window
 from springback.errors import InputError
@@ -34,17 +35,6 @@ from springback.results.flight import fly
 from springback.scenario.scenario import scenario_from
 
 SMALL = (200, 180)
-
-
-def thrown(**wall: Any) -> Any:
-    """ARQ is thrown level into a wall, its rotors at hover thrust."""
-    wall = wall or {"distance": "2.75 m"}
-    return fly(scenario_from({
-        "name": "thrown", "vehicle": "arq", "thrust": "hover",
-        "world": {"obstacles": [{"type": "wall", "surface": "wall", **wall}]},
-        "start": {"position": ["2.3 m", 0, "1 m"], "velocity": ["2 m/s", 0, 0]},
-        "simulation": {"duration": "0.3 s"},
-    }))  # fmt: skip
 
 
 @pytest.fixture(scope="module")

@@ -24,13 +24,14 @@ from springback.errors import InputError
 from springback.interfaces.figures import flight as plots
 from springback.interfaces.figures import style
 from springback.interfaces.figures.chart import add_share_bar, draw_shares
+from springback.interfaces.reports.flight_files import write_flight
 from springback.interfaces.reproduction.figures import slider
 from springback.paper.printed import TABLE_III
 from springback.paper.slider import (
     READINGS,
 )
 from springback.results.flight import fly
-from springback.simulation.measuring.measures import MEASURES
+from springback.simulation.measuring.measures import MEASURES, Outcome
 
 
 def panels(figure: Figure) -> dict[str, Any]:
@@ -68,6 +69,38 @@ def test_a_flight_is_shown_around_its_contact() -> None:
     assert shade.get_width() == pytest.approx(1e3 * LASTS, abs=1.1)
     past = axes["Position [mm]"].lines[0]
     assert np.interp(0.0, past.get_xdata(), past.get_ydata()) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_hits_of_the_impulse_law_are_in_pictures_that_reach_to_what_the_title_tells(
+    tmp_path: Path,
+) -> None:
+    """There is no force that tells of a contact: the figure ended 13 ms after the first hit."""
+    wall = {"type": "wall", "distance": "1 m", "surface": {"law": "impulse", "restitution": 0.5}}
+    flight = fly({
+        "vehicle": "quad", "thrust": "hover", "world": {"obstacles": [wall]},
+        "start": {"position": [0.74, 0, 1], "velocity": [2, 0, 0]},
+        "simulation": {"duration": 0.05},
+    }, executor="python")  # fmt: skip
+    touch = flight.measures["touch_time"]
+    assert touch is not None
+    assert plots.impulse_hits(flight)[0] == pytest.approx(touch, abs=1e-9)
+    assert not plots.needs_impact_figure(flight)
+    late = touch + 0.03
+    told = replace(
+        flight, outcome=Outcome.ARM_BOTTOMED, measures=flight.measures | {"bottomed_time": late}
+    )
+    assert plots.needs_impact_figure(told)
+    for figure, reaches in nonempty([
+        (plots.flight_figure(told), True), (plots.impact_figure(told), False),
+        (plots.flight_figure(flight), False),
+    ]):  # fmt: skip
+        low, high = figure.axes[-1].get_xlim()
+        assert low < 0.0
+        assert (high > 1e3 * (late - touch)) == reaches
+        shown = panels(figure)["Velocity [m/s]"].lines[0]
+        assert np.ptp(shown.get_ydata()) > 2.5  # from 2 m/s to −1 m/s
+    write_flight(told, tmp_path)
+    assert (tmp_path / "impact.png").exists()
 
 
 def test_a_flight_is_titled_by_its_outcome_and_what_it_touched(tmp_path: Path) -> None:

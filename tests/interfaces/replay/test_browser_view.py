@@ -19,6 +19,10 @@ from springback.results.events import impacts_of
 from springback.results.flight import Flight, fly
 
 pytestmark = needs_browser
+#: Numbers beside contact forces.
+FORCES = ".force-labels span:not([hidden])"
+#: Buttons of the way in which flights are compared.
+COMPARE = "[aria-label=Flights] button"
 
 
 @pytest.fixture(scope="module")
@@ -414,7 +418,7 @@ def test_bodies_of_two_flights_stand_apart_or_are_one(driver: Any, tmp_path: Pat
         const S = window.springback.scene;
         S.canvas();
         return S.memory().geometries;"""
-    counts, legends = {}, {}
+    counts, legends, marked, usable = {}, {}, {}, {}
     for name, one in (
         ("hoop", {"radius": 0.7, "tube_radius": 0.03, "position": [2.7, 0, 1]}),
         ("doorway", {"position": [2.7, 0, 0]}),
@@ -427,9 +431,29 @@ def test_bodies_of_two_flights_stand_apart_or_are_one(driver: Any, tmp_path: Pat
             opened(driver, path, f"#compare={mode}&t=0")
             counts[name, mode] = driver.execute_script(apart)
             legends[name, mode] = driver.find_element("css selector", ".scene-legend").text
+            [button] = driver.find_elements("css selector", f"{COMPARE}[aria-pressed=true]")
+            marked[name, mode] = button.get_attribute("data-value")
+            side = driver.find_element("css selector", f"{COMPARE}[data-value=side]")
+            usable[name, mode] = side.is_enabled()
     assert counts["hoop", "side"] > counts["hoop", "ghost"]
     assert counts["doorway", "side"] == counts["doorway", "ghost"]
     assert {case for case, text in legends.items() if "overlaid" in text} == {("doorway", "side")}
+    assert all((one == "ghost") == (case != ("hoop", "side")) for case, one in marked.items())
+    assert all(one == (case[0] == "hoop") for case, one in usable.items())
+    assert complaints(driver) == []
+
+
+def test_forces_of_both_flights_are_labelled_where_one_lies_over_the_other(
+    driver: Any, flights: list[Flight], page: Path
+) -> None:
+    """Each in the colour of its flight: those of the second had no number."""
+    touch = flights[0].measures["touch_time"]
+    assert touch is not None
+    opened(driver, page, f"#compare=ghost&camera=impact&t={touch + 0.004}")
+    assert all(any(one["contacts"]) for one in pose(driver)["flights"])
+    until(lambda: len(driver.find_elements("css selector", FORCES)) >= 2)
+    labels = driver.find_elements("css selector", FORCES)
+    assert len({one.value_of_css_property("color") for one in labels}) == 2
     assert complaints(driver) == []
 
 

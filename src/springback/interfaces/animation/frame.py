@@ -11,9 +11,10 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from springback.interfaces.animation.aim import FilmAim, instants_of
 from springback.interfaces.animation.bodies import SceneInstant, pose, views
 from springback.interfaces.animation.panel import ScenePanel
-from springback.interfaces.animation.timing import EARLY, LATE, FilmTiming, origin
+from springback.interfaces.animation.timing import FilmTiming, origin
 from springback.interfaces.figures.style import escape
 from springback.interfaces.output.robots import GREY, INK, ROBOTS, RobotStyle
 from springback.interfaces.replay.scene import Scene
@@ -21,18 +22,12 @@ from springback.interfaces.replay.scene import Scene
 Array = np.ndarray[Any, np.dtype[np.float64]]
 LOOKS = tuple(ROBOTS.values())
 """Looks of the first and of the second flight."""
-NEAR = 1.25
-"""Chosen: half the width of a view at an impact, over the reach of the robot."""
-WIDEST = 1.4
-"""Chosen: largest half width of a view [m]; on longer flights the view follows the robot."""
 ARROW = 0.28
 """Chosen: length of the arrow of the largest contact force [m]."""
-ZOOMING = 0.12
-"""Chosen: flight time in which the view zooms in [s]."""
-SIDE = 0.38
-"""Chosen: fraction of the views' height given to the side view."""
 CURVE, HEAD, GAP = 0.25, 0.07, 0.004
 """Chosen: heights of curve and clock and gap between the views, as fractions of the figure."""
+MOST_GIVEN, SPACE, SMALL = 0.0888, 8.0, 9.0
+"""Chosen: compression for which there is room [m], room after a name [px], its small type [pt]."""
 ROW = 0.042
 """Chosen: height of the line above the views with a robot's name and numbers, likewise."""
 
@@ -56,8 +51,8 @@ class Frame:
         self.said: list[list[Any]] = []
         """Lines with numbers, of each robot of each world."""
         self.panels = [self._column(k) for k in range(len(self.worlds))]
-        self.reach = max(arm.reach + arm.cage_radius for s in scenes for arm in s.arms)
-        self.ways = [[self._way(panel) for panel in column] for column in self.panels]
+        self.aim = FilmAim(self.panels, timing)
+        self._place_views()
         self.curve = _Curve(self)
         self.words = [self._word(0.012, "left"), self._word(0.988, "right")]
         self.canvas.draw()
@@ -67,11 +62,11 @@ class Frame:
         """Pixels of frame ``k``, shape (height, width, 3), 8 bits."""
         when, slowness = float(self.timing.t[k]), float(self.timing.slowness[k])
         poses = [[pose(scene, origin(scene) + when) for scene in each] for each in self.worlds]
-        self._aim(poses, when)
+        self.aim.turn(k, poses)
         for scenes, now, column, said in zip(
             self.worlds, poses, self.panels, self.said, strict=True
         ):
-            pasts = [one.position[_places(one, self.timing.begin, when)] for one in scenes]
+            pasts = [one.position[instants_of(one, self.timing.begin, when)] for one in scenes]
             for panel in column:
                 panel.turn(now, pasts, self.newton)
             for line, scene, there in zip(said, scenes, now, strict=True):
@@ -113,17 +108,13 @@ class Frame:
     def _column(self, k: int) -> tuple[ScenePanel, ScenePanel]:
         """Draw a scene from the side and, below, from above."""
         scenes, width = self.worlds[k], 1.0 / len(self.worlds)
-        rows = max(map(len, self.worlds))
-        height = 1.0 - CURVE - HEAD - ROW * rows
         side, above = views(*scenes)
-        low = CURVE + (1.0 - SIDE) * height
-        upper = self._panel(k, side, (k * width, low, width, SIDE * height), "from the side")
-        box = (k * width, CURVE, width, (1.0 - SIDE) * height)
-        lower = self._panel(k, above, box, "from above")
+        upper = self._panel(k, side, "from the side")
+        lower = self._panel(k, above, "from above")
         self.said.append([])
         for row, scene in enumerate(scenes):  # beside the views, where they cover nothing
             y = 1.0 - HEAD - ROW * (row + 0.5)
-            self.figure.text(
+            name = self.figure.text(
                 k * width + 0.012, y, escape(scene.label), va="center", weight="bold",
                 fontsize=12 * self.unit, color=LOOKS[(k + row) % 2].colour,
             )  # fmt: skip
@@ -133,13 +124,36 @@ class Frame:
                     fontsize=10 * self.unit, animated=True,
                 )
             )  # fmt: skip
+            self._fit(name, self.said[-1][-1], scene)
         return upper, lower
 
-    def _panel(
-        self, k: int, view: Any, box: tuple[float, float, float, float], words: str
-    ) -> ScenePanel:
-        x, y, width, height = box
-        ax = self.figure.add_axes((x + GAP, y + GAP, width - 2 * GAP, height - 2 * GAP))
+    def _fit(self, name: Any, line: Any, scene: Scene) -> None:
+        """Write a robot's name smaller, then shorten it, where the numbers beside it need room."""
+        line.set_text(_words(scene, float(_size(scene.force.sum(axis=1)).max()), MOST_GIVEN))
+        room, label = line.get_window_extent().x0 - name.get_window_extent().x0, scene.label
+        line.set_text("")
+        room -= SPACE * self.unit
+        if name.get_window_extent().width > room:
+            name.set_fontsize(SMALL * self.unit)
+        while label and name.get_window_extent().width > room:
+            label = label[:-1]
+            name.set_text(escape(f"{label.rstrip()}…"))
+
+    def _place_views(self) -> None:
+        """Give the views their places: the side view is as high as its robots need."""
+        rows, width = max(map(len, self.worlds)), 1.0 / len(self.worlds)
+        height = 1.0 - CURVE - HEAD - ROW * rows
+        share = self.aim.side_share()
+        for k, (upper, lower) in enumerate(self.panels):
+            for panel, low, tall in (
+                (upper, (1.0 - share) * height, share * height),
+                (lower, 0.0, (1.0 - share) * height),
+            ):
+                x, y = k * width + GAP, CURVE + low + GAP
+                panel.ax.set_position((x, y, width - 2 * GAP, tall - 2 * GAP))
+
+    def _panel(self, k: int, view: Any, words: str) -> ScenePanel:
+        ax = self.figure.add_axes((0.0, 0.0, 1.0, 1.0))
         ax.set(xticks=[], yticks=[], facecolor="#FBFBFC")
         for spine in ax.spines.values():
             spine.set(color="#D5D9DE", linewidth=0.8)
@@ -147,39 +161,6 @@ class Frame:
         ax.text(0.015, 0.03, words, transform=ax.transAxes, fontsize=size, color="#5B6067")
         colours = [LOOKS[(k + row) % 2].colour for row in range(len(self.worlds[k]))]
         return ScenePanel(ax, view, self.worlds[k], colours, self.unit)
-
-    # -- where to look ----------------------------------------------------------------------------
-
-    def _aim(self, poses: Sequence[Sequence[SceneInstant]], when: float) -> None:
-        """Set one scale for all views: zoomed in around impacts, following on long flights."""
-        half = max(half for column in self.ways for half, _ in column)
-        follow, half = half > WIDEST, min(half, WIDEST)
-        tall = self.panels[0][1].shape()
-        centres = [np.mean([now.position for now in each], axis=0) for each in poses]
-        apart = max(
-            float(_size(now.position - centre))
-            for each, centre in zip(poses, centres, strict=True)
-            for now in each
-        )
-        close = min(half, (NEAR * self.reach + apart) * max(1.0, 0.8 / tall))
-        share = max((_nearness(when, a, b) for a, b in self.timing.slow), default=0.0)
-        half = float(np.exp((1 - share) * np.log(half) + share * np.log(close)))
-        for centre, ways, column in zip(centres, self.ways, self.panels, strict=True):
-            for (_, middle), panel in zip(ways, column, strict=True):
-                here = panel.view(centre)
-                panel.look(here if follow else (1 - share) * middle + share * here, half)
-
-    def _way(self, panel: ScenePanel) -> tuple[float, Array]:
-        """Half width and centre of a view that shows the whole path of a scene [m]."""
-        begin, end = self.timing.begin, self.timing.end
-        way = np.concatenate(
-            [panel.view(one.position[_places(one, begin, end)]) for one in panel.scenes]
-        )
-        low, high = way.min(axis=0), way.max(axis=0)
-        wide, tall = 0.5 * (high - low) + 1.15 * self.reach
-        if panel.view.up[2] > 0.5:  # a robot is flat when seen from the side
-            tall -= 0.6 * self.reach
-        return max(float(wide), float(tall) / panel.shape()), 0.5 * (low + high)
 
 
 def worlds_of(scenes: Sequence[Scene]) -> list[list[Scene]]:
@@ -200,30 +181,17 @@ def _size(vectors: Array) -> Array:
     return np.asarray(np.linalg.norm(vectors, axis=-1))
 
 
-def _places(scene: Scene, begin: float, end: float) -> Any:
-    """Indices of a scene's instants between two instants of a film; at least one."""
-    t = scene.t - origin(scene)
-    inside = (t >= begin) & (t <= end)
-    if not inside.any():
-        inside[int(np.argmin(np.abs(t - begin)))] = True
-    return inside
-
-
 def _caption(scene: Scene, now: SceneInstant) -> str:
     """Sum of all contact forces, and compression of the arms, in one line."""
-    said = f"contact, sum {float(_size(now.force.sum(axis=0))):.0f} N"
-    if any(arm.compliant for arm in scene.arms):
-        given = enumerate(zip(scene.arms, now.lengths, strict=True))
-        pressed = [arm.yielding(v, now.bend(j)) for j, (arm, v) in given]
-        said += f", arms give {1e3 * max(*pressed, 0.0):.1f} mm"
-    return said
+    given = enumerate(zip(scene.arms, now.lengths, strict=True))
+    pressed = [arm.yielding(v, now.bend(j)) for j, (arm, v) in given]
+    return _words(scene, float(_size(now.force.sum(axis=0))), max(*pressed, 0.0))
 
 
-def _nearness(when: float, begin: float, end: float) -> float:
-    """Zoom from 0 to 1: 1 in slow motion, eased at its ends."""
-    away = max(0.0, begin + EARLY - when, when - (end - LATE))
-    share = min(max(1.0 - away / ZOOMING, 0.0), 1.0)
-    return share * share * (3.0 - 2.0 * share)
+def _words(scene: Scene, force: float, pressed: float) -> str:
+    """A force [N] and, of arms that give, the largest compression [m], in one line."""
+    gives = any(arm.compliant for arm in scene.arms)
+    return f"contact, sum {force:.0f} N{f', arms give {1e3 * pressed:.1f} mm' * gives}"
 
 
 class _Curve:

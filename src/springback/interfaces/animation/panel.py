@@ -245,6 +245,24 @@ class RobotLines:
         self.mast = panel.line(color=INK, lw=1.4 * unit)
         self.body = Polygon(np.zeros((3, 2)), fc=colour, ec=INK, lw=0.8 * unit)
         panel.animate(panel.ax.add_patch(self.body))
+        pins = [] if self.hinges is None else [self.hinges]
+        self.own = [
+            *self.free, *self.cages, *self.arms, *self.discs, *self.thrusts, *self.hull,
+            *self.at_ends, *pins, *self.neighbours, *self.latches, self.mast,
+        ]  # fmt: skip
+
+    def points(self, now: SceneInstant) -> Array:
+        """Points of all lines and areas of the robot itself at an instant, without its trail [m].
+
+        Args:
+            now: The instant.
+
+        Returns:
+            In the plane of the view, shape (points, 2).
+        """
+        self.turn(now, np.zeros((0, 3)))
+        lines = np.vstack([*(line.get_xydata() for line in self.own), self.body.get_xy()])
+        return np.asarray(lines[~np.isnan(lines[:, 0])])
 
     def turn(self, now: SceneInstant, past: Array) -> None:
         """Move all to an instant.

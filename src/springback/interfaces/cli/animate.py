@@ -61,7 +61,7 @@ def animate(
     with output.spinner("reading"):
         scenes = scenes_of([load(folder) for folder in results], results)
     for scene in scenes:
-        for doubt in scene.notes:
+        for doubt in (*scene.warnings, *scene.notes):
             output.note(f"{scene.label}: {doubt}")
     with output.progress_bar("drawing") as show:
         count = replace_film(scenes, out, progress=show, **options)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import sys
 import warnings
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -148,6 +149,7 @@ def _fly_against(
     from springback.results.flight import fly as fly_scenario
     from springback.scenario.files import as_input
     from springback.scenario.scenario import scenario_from
+    from springback.scenario.warnings import scenario_warnings
 
     names = ("first", "last", "world", "body", "track", "no_check")
     reading = {name: given[name] for name in names}
@@ -160,6 +162,7 @@ def _fly_against(
             warnings.simplefilter("ignore", FlightWarning)
             told = replay_against(scenario, overrides, logs, reading, wanted)
             flight = fly_scenario(scenario_from(told.flown.flight_tables(), False))
+        flight = replace(flight, warned=(*scenario_warnings(flight.scenario, given=set()),))
         figures = output.wants_figures()
         written = write_flight(flight, folder, figures=figures)
         written += write_against(told.flown, told.channels, told.rows, folder, figures=figures)
@@ -168,7 +171,7 @@ def _fly_against(
     output.note_written(written)
     for sentence in (*told.flown.warnings, *remarks(told.flown, told.rows)):
         say(f"warning: {sentence}")
-    for sentence in flight.remarks.values():
+    for sentence in flight.warnings:
         say(f"warning: {sentence}")
     if not flight.is_finite:
         sys.exit(1)

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from matplotlib.figure import Figure
 
+from springback.contact.worlds import surfaces_of
 from springback.errors import InputError
 from springback.interfaces.figures.chart import HIGH, LOW, Chart
 from springback.interfaces.figures.guided import guided_panels
@@ -32,12 +33,24 @@ from springback.interfaces.figures.style import WIDTH, StyledFigure, escape, in_
 from springback.interfaces.output.robots import BLUE, GREEN, GREY, INK, ORANGE, PINK, RED, SKY
 from springback.results.flight import Flight
 from springback.results.result import NAMED
+from springback.scenario.worlds.imported import single_obstacles
+from springback.simulation.measuring.measures import Outcome
 
 #: Longest name of a scenario in a title, and longest lines of that and below it [characters]; room
 #: for the legend below those [points] (chosen).
 LONGEST_NAME, TITLE, TOUCHED, ABOVE = 50, 52, 58, 16.0
 #: An arm that gives less than this is drawn as a flat line [mm] (chosen: the width of that line).
 STIFF = 0.02
+#: Measure with the instant that an outcome tells of.
+TOLD = {
+    Outcome.BROKEN: "broken_time",
+    Outcome.HIT_GROUND: "ground_time",
+    Outcome.ARM_BOTTOMED: "bottomed_time",
+}
+#: A figure that is longer than this, over the impact, is not the impact's (chosen).
+WIDER = 1.35
+#: Change of velocity that is a jump [m/s], beside this multiple of what the acceleration gives.
+JUMP, SMOOTH = 1e-3, 2.0
 
 
 @in_style
@@ -45,7 +58,8 @@ def flight_figure(flight: Flight) -> Figure:
     """A flight over time.
 
     With a pilot: motion and reference, attitude, thrusts, and the error of the estimate; without
-    one: the motion around the contacts, as in `impact_figure`.
+    one: the motion around the contacts, as in `impact_figure`, up to what the title tells of and to
+    the last hit of the impulse law.
 
     Args:
         flight: With a trajectory.
@@ -59,7 +73,7 @@ def flight_figure(flight: Flight) -> Figure:
         shades = contacts(flight.columns)
         figure = stacked_panels(guided_panels(flight), "Time [s]", shades, height=1.15)
         return with_title(figure, flight)
-    return _motion(flight)
+    return _motion(flight, _last_told(flight))
 
 
 @in_style
@@ -76,9 +90,45 @@ def impact_figure(flight: Flight) -> Figure:
     return _motion(flight)
 
 
-def _motion(flight: Flight) -> Figure:
+def needs_impact_figure(flight: Flight) -> bool:
+    """True if `flight_figure` shows more than the impact.
+
+    Args:
+        flight: With a trajectory.
+    """
+    touch = flight.measures.get("touch_time")
+    if touch is None:
+        return False
+    return flight.is_piloted or _last_told(flight) > touch + WIDER * (_last_touch(flight) - touch)
+
+
+def _last_told(flight: Flight) -> float:
+    """When the last of what a title tells of was, and the last hit of the impulse law [s]."""
+    told = flight.measures.get(TOLD.get(flight.outcome, ""))
+    return max([0.0 if told is None else told, *impulse_hits(flight)])
+
+
+def impulse_hits(flight: Flight) -> list[float]:
+    """Instants at which the impulse law changes the main body's velocity at once [s].
+
+    Args:
+        flight: With a trajectory, which has no force of that law.
+    """
+    obstacles = single_obstacles(flight.scenario.world.obstacles)
+    laws = [surface.law for one in obstacles if one.type != "own" for surface in surfaces_of(one)]
+    if "impulse" not in laws:
+        return []
+    c = flight.columns
+    moves, pulls = (np.stack([c[f"{kind}{axis}"] for axis in "xyz"], axis=1) for kind in "va")
+    change = np.linalg.norm(np.diff(moves, axis=0), axis=1)
+    pull = np.linalg.norm(pulls, axis=1)
+    smooth = np.diff(c["t"]) * np.maximum(pull[1:], pull[:-1])
+    return [float(t) for t in c["t"][1:][change > JUMP + SMOOTH * smooth]]
+
+
+def _motion(flight: Flight, until: float = 0.0) -> Figure:
     c, touch = flight.columns, flight.measures.get("touch_time")
-    t, inside = _around_contact(flight)
+    t, inside = _around_contact(flight, until)
     first = {} if touch is None else {a: np.interp(touch, c["t"], c[a]) for a in "xyz"}
     size, unit = (1.0, "m") if touch is None else (1e3, "mm")
 
@@ -145,19 +195,30 @@ def _forces(columns: Mapping[str, Array], kind: str) -> list[tuple[str, Array]]:
     return curves if largest > 1e-3 * pressed else []
 
 
-def _around_contact(flight: Flight) -> tuple[Callable[[Any], Any], Any]:
-    """Time scale and mask of the instants shown: all, or those around the contacts.
+def _last_touch(flight: Flight) -> float:
+    """End of what `impact_figure` shows, without room beside it [s].
 
     With a pilot, who may keep pushing, only the first impact is shown.
     """
-    t, measures = flight.columns["t"], flight.measures
-    touch = measures.get("touch_time")
+    measures = flight.measures
+    touch = measures.get("touch_time") or 0.0
+    ends = [end for _, end in contacts(flight.columns)]
+    if flight.is_piloted or not ends:
+        ends = [measures.get("separation_time") or max(ends, default=touch)]
+    return max(*ends, measures.get("return_time") or touch, touch + 0.01)
+
+
+def _around_contact(flight: Flight, until: float) -> tuple[Callable[[Any], Any], Any]:
+    """Time scale and mask of the instants shown: all, or those around the contacts.
+
+    Args:
+        flight: With a trajectory.
+        until: To be shown at least [s].
+    """
+    t, touch = flight.columns["t"], flight.measures.get("touch_time")
     if touch is None:
         return lambda instant: instant, slice(None)
-    ends = [end for _, end in contacts(flight.columns)] or [touch]  # impulses have no end
-    if flight.is_piloted:
-        ends = [measures.get("separation_time") or ends[-1]]
-    last = max(*ends, measures.get("return_time") or touch, touch + 0.01)
+    last = max(_last_touch(flight), until)
     room = 0.35 * (last - touch)
     return lambda instant: 1e3 * (instant - touch), (t >= touch - room) & (t <= last + room)
 

@@ -6,7 +6,7 @@ Those that move are drawn where they were placed, one by one, with the number of
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,7 +17,13 @@ from springback.contact.nets import Net
 from springback.contact.parameters import Ground, Mat, Wall
 from springback.contact.scene.solids import HALF_SPACE
 from springback.contact.scene.table import ENDLESS, Solid
-from springback.contact.shapes import ShapeSettings, Slope, SolidShape, Stairs
+from springback.contact.shapes import (
+    ShapeSettings,
+    Slope,
+    SolidShape,
+    Stairs,
+    distance_around,
+)
 from springback.contact.unions import ShapeUnion
 from springback.contact.worlds import BuiltIn, Own
 from springback.interfaces.replay.form_meshes import (
@@ -27,6 +33,7 @@ from springback.interfaces.replay.form_meshes import (
     mesh_body_mesh,
     net_mesh,
 )
+from springback.interfaces.replay.part_labels import part_names
 from springback.interfaces.replay.shape_meshes import (
     EndSpan,
     ShapeMesh,
@@ -56,8 +63,8 @@ FOOT = 0.45
 #: Most solids that are drawn, sides of each of so many trunks, and instants at which distances
 #: from the flight are compared (chosen: a page of 1 MB).
 MOST_DRAWN, TRUNK_SIDES, COMPARED = 400, 16, 64
-#: Most names of shapes at rest in a legend (chosen).
-MOST_NAMED = 16
+#: Most names of shapes at rest in a legend, and of parts of imported worlds in it (chosen).
+MOST_NAMED, MOST_PARTS = 16, 8
 
 
 class Drawable(NamedTuple):
@@ -124,7 +131,8 @@ def drawables(
     ]
     shapes = [one for one in obstacles if isinstance(one, ShapeSettings)]
     chosen = _near(shapes, np.concatenate([_sample(flown), _sample(near)]))
-    bodies, notes = list(_meshes(chosen.parts, flown, floor)), list(chosen.notes)
+    names = _names(chosen.parts, part_names(entries), _sample(near if len(near) else flown))
+    bodies, notes = list(_meshes(chosen.parts, names, flown, floor)), list(chosen.notes)
     moving = [
         one._replace(track=k)
         for k, track in enumerate(tracks)
@@ -203,10 +211,13 @@ def _axes(n: Array, lying: float) -> tuple[Array, Array]:
 # -- shapes ---------------------------------------------------------------------------------------
 
 
+_Parts = list[tuple[ShapeSettings, list[SolidShape]]]
+
+
 class _NearShapes(NamedTuple):
     """Shapes near a flight with those of their solids that are drawn."""
 
-    parts: list[tuple[ShapeSettings, list[SolidShape]]]
+    parts: _Parts
     notes: tuple[str, ...]
 
 
@@ -251,14 +262,30 @@ def _distances(bodies: Sequence[SolidShape], points: Array) -> Array:
     return nearest
 
 
+def _names(parts: _Parts, imported: dict[int, str], places: Array) -> dict[int, str]:
+    """Names of shapes by their identity, at most `MOST_NAMED`: others go by their types.
+
+    Those of imported worlds are of the parts that are nearest to some places [m].
+    """
+    given = [(id(shape), shape.name or imported.get(id(shape), "")) for shape, _ in parts]
+    users = list(dict.fromkeys(shape.name for shape, _ in parts if shape.name))
+    away = dict[str, float]()
+    for shape, found in parts:
+        if (name := imported.get(id(shape), "")) and not shape.name:
+            here = min(float(distance_around(one, places).min()) for one in found)
+            away[name] = min(here, away.get(name, np.inf))
+    nearest = sorted(away, key=lambda name: away[name])[:MOST_PARTS]
+    known = {*users[:MOST_NAMED], *nearest[: max(MOST_NAMED - len(users), 0)]}
+    return {key: name for key, name in given if name in known}
+
+
 def _meshes(
-    parts: Sequence[tuple[ShapeSettings, list[SolidShape]]], flown: Array, floor: float | None
+    parts: _Parts, names: Mapping[int, str], flown: Array, floor: float | None
 ) -> Iterable[Drawable]:
-    """One mesh for all shapes of a name, or of a type for those without and for too many names."""
+    """One mesh for all shapes of a name, or of a type for those without."""
     kinds: dict[str, list[tuple[ShapeSettings, list[SolidShape]]]] = {}
-    given = list(dict.fromkeys(shape.name for shape, _ in parts if shape.name))[:MOST_NAMED]
     for shape, bodies in parts:
-        word = shape.name if shape.name in given else str(getattr(shape, "type", ""))
+        word = names.get(id(shape)) or str(getattr(shape, "type", ""))
         kinds.setdefault(word, []).append((shape, bodies))
     for name, group in kinds.items():
         mesh = as_one([_mesh(shape, bodies, flown, floor) for shape, bodies in group])
@@ -277,7 +304,8 @@ def _moving(
     if isinstance(entry, Wall | Ground | Mat | Slope):
         yield _face(entry, seen, level)
     else:
-        yield from _meshes(_near([entry], _sample(seen)).parts, seen, level)
+        parts = _near([entry], _sample(seen)).parts
+        yield from _meshes(parts, {id(entry): entry.name}, seen, level)
 
 
 def _under(meshes: Sequence[Drawable], ways: Array, flown: Array) -> Array:

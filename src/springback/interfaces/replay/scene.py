@@ -158,6 +158,8 @@ class Scene:
     """What it touched, a line each."""
     neighbours: tuple[NeighbourShape, ...] = ()
     """Springs between arms."""
+    warnings: tuple[str, ...] = ()
+    """What may be meant otherwise or is doubtful, in sentences."""
     bends: Array = field(default_factory=lambda: np.zeros((0, 0)))
     """Ways of the second joints of arms [m], shape (n, arms); empty where arms have none."""
 
@@ -244,10 +246,11 @@ def _scene(
         measures=dict(flight.measures),
         units={name: named[name] for name in flight.measures if name in named},
         departure=departure(c, count, places),
-        notes=(*flight.remarks.values(), *things.notes, *doubts),
+        notes=(*things.notes, *doubts),
         touched=_touched(flight),
         neighbours=neighbour_shapes(model.airframe),
         bends=_bends(c, count, places),
+        warnings=flight.warnings,
     )
 
 

@@ -53,8 +53,9 @@ def write_flight(flight: Flight, folder: Path, *, figures: bool = True) -> list[
     With obstacles of the user's own ``contacts.parquet`` has the force and place of each contact.
 
     Figures are ``flight.png`` and ``energy.png``; with a pilot ``flight.png`` shows the whole
-    flight with its reference, and ``impact.png`` the collision if there was one.  The numbers of
-    each are in a CSV file of the same name.  The summary lists all files with their digests
+    flight with its reference, and ``impact.png`` the collision if there was one; so it does without
+    a pilot where ``flight.png`` shows more than that.  The numbers of each are in a CSV file of the
+    same name.  The summary lists all files with their digests
     (``files``) and its own (``seal``), so that files of other flights are recognised.  Those of a
     second vehicle have the same names after ``second_``; the summary has its outcome and measures.
 
@@ -116,6 +117,6 @@ def _pictures(flight: Flight) -> dict[str, tuple[bytes, str]]:
         "flight": style.picture(plots.flight_figure, flight),
         "energy": style.picture(plots.energy_figure, flight),
     }
-    if flight.is_piloted and flight.measures["touch_time"] is not None:
+    if plots.needs_impact_figure(flight):
         found["impact"] = style.picture(plots.impact_figure, flight)
     return found

@@ -21,6 +21,7 @@ def flight_html(flight: Flight) -> str:
         f"<p><b>{html.escape(flight.scenario.name)}</b>: {mark} <b>{flight.outcome.word}</b>, "
         f"{html.escape(flight.message)}</p>"
     )
+    warned = "".join(f"<p>warning: {html.escape(one)}</p>" for one in flight.warnings)
     principal = flight.readable_measures()
     every = flight.readable_measures(all_of_them=True)
     rows = [(line.name, line.text, line.meaning) for line in every]
@@ -28,7 +29,7 @@ def flight_html(flight: Flight) -> str:
     if flight.impulse_text:
         short.append(("impulse", flight.impulse_text, MEANING_OF_IMPULSE))
     return (
-        f"<div>{head}{_picture(flight)}"
+        f"<div>{head}{warned}{_picture(flight)}"
         f"{_table(short)}"
         f"<details><summary>all {len(rows)} measures</summary>{_table(rows)}</details></div>"
     )
