@@ -31,7 +31,7 @@ from numba.core import (
 from numba.core.imputils import user_function
 
 from springback.kernels.passes import shortcuts
-from springback.kernels.passes.slots import bare_slots, slot
+from springback.kernels.passes.stack import bare_slots, slot
 
 #: Parts of numba with incomplete type stubs, or none.
 _register_pass: Any = compiler_machinery.register_pass
