@@ -20,6 +20,7 @@ from springback.contact.worlds import BuiltIn, ObstacleSettings
 from springback.errors import InputError, excerpt, within
 from springback.problems import dotted_path, problem_paths
 from springback.quantities import LARGEST, Angle, Factor
+from springback.scenario.fields import LARGEST_BY_KEY, check_magnitudes
 from springback.scenario.worlds.content import WorldContent, WorldRemark
 from springback.scenario.worlds.files import world_content
 from springback.scenario.worlds.paths import file_bytes
@@ -143,13 +144,17 @@ class Imported(Settings):
         return _parts_of(self)
 
     def surface_of(self, element: ImportedElement) -> SurfaceSettings:
-        """Surface of an element: by its name, else with the file's friction."""
+        """Surface of an element: by its name, else with the file's friction.
+
+        Files have any number for "slides nowhere"; more than the largest friction counts as that.
+        """
         for pattern, surface in self.surfaces.items():
             if _fits(element.name, pattern):
                 return surface
         if element.friction is None or self.friction == "surface":
             return self.surface
-        return _with_friction(self.surface, element.friction)
+        most = LARGEST_BY_KEY["friction"]
+        return _with_friction(self.surface, min(element.friction, most))
 
 
 @functools.lru_cache(maxsize=1024)
@@ -171,6 +176,13 @@ def _parts_of(imported: Imported) -> tuple[NamedObstacle, ...]:
             raise problem(f"{one.name}: {keys}: {what}", "file") from None
         found.append(NamedObstacle(one.name, obstacle))
     return tuple(found)
+
+
+def check_imported(obstacles: Iterable[Any]) -> None:
+    """Reject elements of imported worlds with absurdly large numbers; see `check_magnitudes`."""
+    for k, entry in enumerate(obstacles):
+        for j, part in enumerate(entry.parts if isinstance(entry, Imported) else ()):
+            check_magnitudes(part.obstacle, ("world", "obstacles", k, "elements", j))
 
 
 def _elements(count: int) -> str:
