@@ -19,7 +19,7 @@ from springback.scenario.overrides import apply_overrides
 from springback.scenario.presets import is_vehicle_file
 from springback.scenario.scenario import Scenario, expand_presets
 from springback.scenario.source_text import source_text, toml_tables
-from springback.scenario.worlds.grids_ahead import tell_of_grids
+from springback.scenario.worlds.mesh_check import tell_of_grids
 from springback.vehicle.parameters import Vehicle
 
 #: An obstacle that a problem of another key names.

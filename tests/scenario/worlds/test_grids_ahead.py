@@ -7,7 +7,7 @@ from typing import Any
 
 from springback.contact.grids.distance_grids import node_counts
 from springback.scenario.files import read_scenario
-from springback.scenario.worlds.grids_ahead import tell_of_grids, telling
+from springback.scenario.worlds.mesh_check import tell_of_grids, telling
 
 #: A tetrahedron with edges of 10 cm.
 MESH = """v 0 0 0

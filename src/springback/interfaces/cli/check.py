@@ -102,7 +102,7 @@ def _check_scenario(path: Path, overrides: Sequence[str], terminal: Terminal) ->
     from springback.results.flight import ready_flight
     from springback.results.pair.flying import of_second
     from springback.scenario.files import as_input, read_scenario
-    from springback.scenario.worlds.grids_ahead import telling
+    from springback.scenario.worlds.mesh_check import telling
 
     with terminal.spinner(_CHECKING) as tell:
         with telling(tell):

@@ -97,7 +97,7 @@ def fly(
     from springback.scenario.files import as_input, read_scenario
     from springback.scenario.user.pilots import read_pilot
     from springback.scenario.warnings import scenario_warnings
-    from springback.scenario.worlds.grids_ahead import telling
+    from springback.scenario.worlds.mesh_check import telling
 
     if overlay is not None:
         overrides = (*overlay_words(overlay), *overrides)

@@ -31,7 +31,7 @@ BEYOND = 3.0
 _UPRIGHT = Mat3(Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0), Vec(0.0, 0.0, 1.0))
 
 
-class RestingJoint(NamedTuple):
+class JointRest(NamedTuple):
     """A joint of an arm at hover."""
 
     arm: int  # from 1
@@ -78,7 +78,7 @@ def _brief(way: float, unit: str) -> str:
     return f"{1e3 * abs(way):.3g} mm" if unit == "m" else f"{abs(math.degrees(way)):.3g} deg"
 
 
-def resting_joints(vehicle: Vehicle, gravity: float) -> Iterator[RestingJoint]:
+def resting_joints(vehicle: Vehicle, gravity: float) -> Iterator[JointRest]:
     """Every joint of every compliant arm on joints, at rest under its share of the weight.
 
     Springs between neighbours are left out, and so are vehicles that have them.
@@ -107,7 +107,7 @@ def resting_joints(vehicle: Vehicle, gravity: float) -> Iterator[RestingJoint]:
 
 def _resting(
     vehicle: Vehicle, j: int, arm: Any, rotors: list[tuple[PlacedRotor, float]], gravity: float
-) -> Iterator[RestingJoint]:
+) -> Iterator[JointRest]:
     """The joints of one arm, from 0, under its weight and the thrusts [N] of the rotors on it."""
     parts = (arm, arm.second) if isinstance(arm, BentArm) else (arm,)
 
@@ -152,7 +152,7 @@ def _resting(
             far = free + BEYOND * (stop - free)
             beyond = balance(which, min(free, far), max(free, far))
             held = None if beyond == far else (free - beyond) * over
-        yield RestingJoint(
+        yield JointRest(
             j + 1, which + 1, (free - length) * over, (free - stop) * over, held,
             vehicle.arms.hinges[which],
         )  # fmt: skip

@@ -20,7 +20,7 @@ from springback.contact.worlds import BuiltIn, ObstacleSettings
 from springback.errors import InputError, excerpt, within
 from springback.problems import dotted_path, problem_paths
 from springback.quantities import LARGEST, Angle, Factor
-from springback.scenario.fields import LARGEST_BY_KEY, check_magnitudes
+from springback.scenario.fields import check_magnitudes
 from springback.scenario.worlds.content import WorldContent, WorldRemark
 from springback.scenario.worlds.files import world_content
 from springback.scenario.worlds.paths import file_bytes
@@ -144,17 +144,13 @@ class Imported(Settings):
         return _parts_of(self)
 
     def surface_of(self, element: ImportedElement) -> SurfaceSettings:
-        """Surface of an element: by its name, else with the file's friction.
-
-        Files have any number for "slides nowhere"; more than the largest friction counts as that.
-        """
+        """Surface of an element: by its name, else with the file's friction."""
         for pattern, surface in self.surfaces.items():
             if _fits(element.name, pattern):
                 return surface
         if element.friction is None or self.friction == "surface":
             return self.surface
-        most = LARGEST_BY_KEY["friction"]
-        return _with_friction(self.surface, min(element.friction, most))
+        return _with_friction(self.surface, element.friction)
 
 
 @functools.lru_cache(maxsize=1024)
