@@ -17,6 +17,7 @@ from springback.errors import InputError
 from springback.scenario import build, model
 from springback.scenario.avionics import BuiltAvionics
 from springback.scenario.scenario import Scenario, scenario_from
+from springback.scenario.vehicles import thrusts
 from springback.vehicle.parameters import Vehicle
 from springback.vehicle.propulsion import Propulsion
 
@@ -29,7 +30,7 @@ GUIDED = {
 #: What one flight is built of, and where it is found.
 PARTS = (
     (build, "cascade_of"), (build, "build_avionics"), (build, "flight_model"),
-    (model, "true_body"), (model, "hover_thrusts"), (model, "world_numbers"),
+    (model, "true_body"), (thrusts, "hover_thrusts"), (model, "world_numbers"),
     (Vehicle, "airframe"), (Propulsion, "rotors"),
 )  # fmt: skip
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
 import pytest
 
+from builders.cases import nonempty
 from springback.errors import InputError
 from springback.interfaces.lab.settings import LabSettings
 from springback.quantities import PerArm, Triple, Unit
@@ -29,6 +31,62 @@ def test_every_number_of_a_scenario_has_a_unit() -> None:
     numbers = [f for f in every_field(Scenario, set()) if any(t is float for t, _ in f.entries)]
     assert len(numbers) > 120
     assert [field.key for field in numbers if field.unit is None] == []
+
+
+#: Keys of numbers without a bound of their own, and why they need none.
+UNBOUNDED = {
+    "inertia": "of a main body: by its mass and reach", "directions": "angles, within a full turn",
+    "seed": "any is as good", "thrust": "by max_thrust, or that of a newton", "time": "of a table",
+    "values": "by max_thrust", "parameters": "of code of the user's own",
+    "elements": "as obstacles, when they are placed", "spin": "a sign",
+    "on": "an arm that there is",
+}  # fmt: skip
+
+
+def test_every_number_of_a_scenario_has_an_upper_bound() -> None:
+    fields = list(every_field(Scenario, set()))
+    bare = set()
+    for field in nonempty(fields):
+        unit = field.unit
+        declared = unit is not None and unit.most is not None
+        counted = any(hasattr(note, "le") for _, notes in field.entries for note in notes)
+        kinds = {kind for kind, _ in field.entries} | {type(field.default)}
+        holds_numbers = unit is not None or bool(kinds & {int, float}) or "float" in str(kinds)
+        if holds_numbers and not (declared or counted or field.largest is not None):
+            bare.add(field.key)
+    assert bare <= set(UNBOUNDED)
+    assert len([field for field in fields if field.largest is not None]) > 150
+
+
+WALL = {"type": "wall", "distance": 2.0, "surface": {"preset": "wall"}}
+ABSURD: dict[str, tuple[dict[str, Any], str]] = {
+    "place": ({"start": {"position": [1e12, 0, 0]}},
+              r"start\.position\[0\]: must be from -1e\+06 m to 1e\+06 m \(got 1e\+12 m\)"),
+    "speed": ({"start": {"velocity": [0, -1e9, 0]}},
+              r"start\.velocity\[1\]: must be from -10000 m/s to 10000 m/s \(got -1e\+09 m/s\)"),
+    "stiffness": ({"world": {"obstacles": [{**WALL, "surface": {"preset": "wall", "stiffness": 1e30}}]}},
+                  r"obstacles\[0\]\.surface\.stiffness: must be at most 1e\+12 N/m\^1\.5 \(got 1e\+30 N"),
+    "friction": ({"world": {"obstacles": [{**WALL, "surface": {"preset": "wall", "friction": 1e20}}]}},
+                 r"obstacles\[0\]\.surface\.friction: must be at most 100 \(got 1e\+20\)"),
+    "arm": ({"vehicle": {"preset": "arq", "arms": {"stiffness": [6e3, 6e3, 1e13, 6e3]}}},
+            r"vehicle\.arms\.stiffness\[2\]: must be at most 1e\+12 N/m \(got 1e\+13 N/m\)"),
+    "second": ({"second": {"vehicle": "quad", "start": {"position": [5e6, 0, 1]}}},
+               r"second\.start\.position\[0\]: must be from -1e\+06 m to 1e\+06 m"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", ABSURD)
+def test_numbers_with_which_flights_would_diverge_are_refused_by_name(case: str) -> None:
+    more, words = ABSURD[case]
+    with pytest.raises(InputError, match=words):
+        scenario_from({"vehicle": "arq", **more})
+
+
+def test_numbers_at_the_bounds_are_read() -> None:
+    hard = {"preset": "wall", "stiffness": 1e12, "friction": 100.0}
+    world = {"obstacles": [{**WALL, "distance": 1e6, "surface": hard}]}
+    given = {"vehicle": "arq", "world": world, "start": {"velocity": [1e4, 0, 0]}}
+    assert scenario_from(given).start.velocity == (1e4, 0.0, 0.0)
 
 
 def test_unit_range_shape_and_default_are_those_of_the_declaration() -> None:

@@ -277,3 +277,29 @@ def test_no_pilot_is_given_a_table() -> None:
         springback.fly(thrown(TABLE), pilot=hover)
     with pytest.raises(InputError, match=r"thrust: cannot be combined .*got a table"):
         scenario_from(thrown(TABLE) | {"reference": {"type": "hold"}})
+
+
+@pytest.mark.parametrize(
+    ("thrust", "field"),
+    [(100, "thrust"), ("7.1 N", "thrust"), ([3, 3, 8, 3], r"thrust\[2\]"), (1e30, "thrust"),
+     ({"time": [0, 1], "values": [[1] * 4, [1, 1, 1, 9]]}, r"thrust\.values\[1\]")],
+)  # fmt: skip
+def test_no_rotor_is_given_more_than_its_largest_thrust(thrust: Any, field: str) -> None:
+    """Nor by a constant: ARQ gives 7 N a rotor."""
+    with pytest.raises(InputError, match=rf"^{field}: must be at most 6\.99944 N, the largest th"):
+        scenario_from(thrown(thrust))
+    assert scenario_from(thrown(6.99)).flight_model().thrust == (6.99,) * 4
+
+
+def test_a_vehicle_too_weak_to_hover_cannot_be_told_to() -> None:
+    weak = {"preset": "arq", "propulsion": {"max_thrust": "3 N"}}
+    with pytest.raises(InputError, match=r"^thrust: hover takes 3\.44331 N of a rotor, .* 3 N$"):
+        scenario_from(thrown("hover") | {"vehicle": weak})
+    assert scenario_from(thrown(2.9) | {"vehicle": weak}).flight_model().thrust == (2.9,) * 4
+
+
+def test_thrusts_without_a_limit_of_the_rotors_have_a_wide_one() -> None:
+    bare = {"preset": "arq", "propulsion": None}
+    with pytest.raises(InputError, match=r"^thrust: must be at most 1e\+06 N \(got 1e\+09 N\)$"):
+        scenario_from(thrown(1e9) | {"vehicle": bare})
+    assert scenario_from(thrown(100.0) | {"vehicle": bare}).flight_model().thrust == (100.0,) * 4

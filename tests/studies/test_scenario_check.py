@@ -125,6 +125,18 @@ def test_a_warning_for_what_can_be_flown_and_is_seldom_meant(
     assert [line for line in check_warnings(scenario(*overrides)) if word in line]
 
 
+def test_the_viscosity_that_an_overdamped_contact_is_advised_gives_no_warning() -> None:
+    def told(viscosity: float) -> list[str]:
+        hull = "{type='sphere', radius=0.05, surface={stiffness=1e4, exponent=1, viscosity="
+        hull += f"{viscosity:g}, in_series=false}}}}"
+        return check_warnings(scenario(f"vehicle.hulls=[{hull}]"))
+
+    [line] = [line for line in told(2e3) if "do not use peak accelerations" in line]
+    advised = float(line.rpartition("at most ")[2].removesuffix(" N s/m"))
+    assert not [line for line in told(0.99 * advised) if "peak" in line]
+    assert [line for line in told(1.02 * advised) if "peak" in line]
+
+
 @pytest.mark.parametrize(
     ("hull", "radius", "passes"),
     [(0.03, 0.012, True), (0.03, 0.022, False), (0.05, 0.012, False)],

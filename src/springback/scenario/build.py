@@ -28,7 +28,7 @@ from springback.scenario.checks import (
     check_tables,
     check_without_pilot,
 )
-from springback.scenario.model import flight_model, hover_thrusts, start_state, thrust_table
+from springback.scenario.model import flight_model, start_state
 from springback.scenario.tables import ScenarioTables, ThrustSettings
 from springback.scenario.trust import check_trusted
 from springback.scenario.user.builders import PilotContext
@@ -40,6 +40,7 @@ from springback.scenario.user.pilots import (
     read_pilot,
 )
 from springback.scenario.user.sensing import SensingCode, built_sensing, read_sensing
+from springback.scenario.vehicles.thrusts import hover_thrusts, thrust_table
 from springback.sensing.perfect import PerfectMemory, PerfectState
 from springback.settings import problem
 from springback.simulation.guided import PlainPilot

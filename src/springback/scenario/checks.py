@@ -10,10 +10,7 @@ from typing import Any
 
 from pydantic_core import PydanticCustomError
 
-from springback.contact.cage import (
-    LANDED,
-    moving_bodies,
-)
+from springback.contact.cage import LANDED, moving_bodies
 from springback.contact.hull_contact import BodySight, arm_gap, arm_sight, body_sight, hull_gap
 from springback.contact.library import WALL
 from springback.contact.moving.hulls import with_hulls
@@ -31,11 +28,11 @@ from springback.kernels.routines import routines_compiled
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
 from springback.kernels.vectors import Vec, norm
 from springback.scenario.avionics import devices_of
+from springback.scenario.fields import check_magnitudes
 from springback.scenario.model import (
     RING_ROUNDING,
     check_parts_at_start,
     settle_step,
-    thrusts_of,
     true_body,
     unit,
 )
@@ -45,8 +42,13 @@ from springback.scenario.tables import (
     ThrustSettings,
     UserShape,
 )
+from springback.scenario.vehicles.thrusts import thrusts_of
 from springback.scenario.worlds.free_starts import check_free_starts
-from springback.scenario.worlds.imported import named_obstacles, single_obstacles
+from springback.scenario.worlds.imported import (
+    check_imported,
+    named_obstacles,
+    single_obstacles,
+)
 from springback.scenario.worlds.mesh_check import check_meshes, size_words
 from springback.sensing.parameters import SensorSettings
 from springback.settings import problem
@@ -73,6 +75,8 @@ AMPLE = 1.01
 def check_tables(scenario: ScenarioTables, build: Build = plain_build) -> None:
     """Reject what no pilot can fly; `check_start` is the last of these checks."""
     s = scenario
+    check_imported(s.world.obstacles)
+    check_magnitudes(s)
     check_reference(s)
     check_hulls(s)
     check_joints(s)

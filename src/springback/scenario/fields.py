@@ -15,12 +15,43 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic_core import PydanticCustomError
 
 from springback.errors import InputError
+from springback.kernels.tracing import Traced, holds  # for batch set-up
 from springback.problems import dotted_path, nearest_name
-from springback.quantities import PerArm, Quadruple, Triple, Unit, number_in, si_number
-from springback.settings import Settings
+from springback.quantities import (
+    FULL_TURN,
+    PerArm,
+    Quadruple,
+    Triple,
+    Unit,
+    number_in,
+    si_number,
+    with_unit,
+)
+from springback.settings import Settings, problem
 from springback.vehicle.force_laws import HystereticSettings
 
 Path = tuple[str | int, ...]
+
+#: Largest magnitude of the numbers of a scenario, by their unit, where a field declares none
+#: (chosen: far beyond any vehicle, and flights still end with finite numbers; measured: a surface
+#: of 1e15 N/m, 1e5 m/s and places 1e7 m away leave the ledger open, or diverge).
+LARGEST_BY_UNIT = {
+    "m": 1e6, "m/s": 1e4, "m/s^2": 1e6, "rad": FULL_TURN, "rad/s": 1e5, "rad/s^2": 1e9,
+    "s": 1e9, "1/s": 1e9, "1/s^2": 1e12, "Hz": 1e12, "s/m": 1e6, "s^2/m": 1e6, "1/m^2": 1e6,
+    "kg": 1e6, "kg m^2": 1e12, "kg/m": 1e6, "kg/m^3": 1e6,
+    "N": 1e6, "N/m": 1e12, "N/m^2": 1e12, "N s/m": 1e9, "N/(m s)": 1e9, "N s^2/rad^2": 1e6,
+    "N m": 1e6, "N m/rad": 1e12, "N m/rad^2": 1e12, "N m s/rad": 1e9,
+    "J": 1e12, "W": 1e9, "T": 1e3, "V": 1e6, "V/T": 1e9,
+    "m/s^2/Hz^0.5": 1e6, "m/s^3/Hz^0.5": 1e6, "rad/s/Hz^0.5": 1e5, "rad/s^2/Hz^0.5": 1e5,
+    "": 1e6,
+}  # fmt: skip
+#: The same by key: plain numbers of which less is absurd (measured: a friction of 1000 leaves the
+#: ledger open), or whose unit depends on the law, and what is read in a way of its own.
+LARGEST_BY_KEY = {
+    "friction": 100.0, "stiffness": 1e12, "every": 1e6, "shared_by": 1e6,
+    "loading": 1e9, "unloading": 1e9, "table": 1e9, "points": 1e6,
+}  # fmt: skip
+_PLAIN = LARGEST_BY_UNIT[""]
 
 
 @dataclass(frozen=True)
@@ -49,6 +80,19 @@ class TableField:
         """Unit and range of its number or numbers; None for anything else."""
         notes = (note for _, metadata in self.entries for note in metadata)
         return next((note for note in notes if isinstance(note, Unit)), None)
+
+    @property
+    def largest(self) -> float | None:
+        """Largest magnitude that its numbers may have; None if they are none, or bounded already.
+
+        SI; a range that the field declares holds besides.
+        """
+        unit = self.unit
+        if unit is None:
+            return LARGEST_BY_KEY.get(self.key)
+        if unit.most is not None and not (unit.least is None and unit.above is None):
+            return None
+        return LARGEST_BY_UNIT[unit.unit] if unit.unit else LARGEST_BY_KEY.get(self.key, _PLAIN)
 
     @property
     def shape(self) -> Any:
@@ -111,6 +155,67 @@ def _settings_in(annotation: Any) -> Iterator[type[Settings]]:
         yield annotation
     for part in get_args(annotation):
         yield from _settings_in(part)
+
+
+# -- magnitudes -----------------------------------------------------------------------------------
+
+
+def check_magnitudes(node: Any, path: Path = ()) -> None:
+    """Reject numbers of a table, and of those in it, that are absurdly large.
+
+    Args:
+        node: The table, or several of them; anything else has none.
+        path: Of it in the scenario.
+
+    Raises:
+        The problem of the first one, with its path, unit and range.
+    """
+    if isinstance(node, tuple | Mapping):
+        entries = node.items() if isinstance(node, Mapping) else enumerate(node)
+        for key, entry in entries:
+            check_magnitudes(entry, (*path, key))
+    if not isinstance(node, Settings):
+        return
+    given = node.model_fields_set  # defaults are no larger
+    for name, key, largest, has_tables in _bounded(type(node)):
+        if name not in given:
+            continue
+        value = getattr(node, name)
+        if has_tables:
+            check_magnitudes(value, (*path, key))
+        if largest is not None:
+            _check_numbers(value, largest, node, (*path, key))
+
+
+@functools.cache
+def _bounded(table: type[Settings]) -> tuple[tuple[str, str, float | None, bool], ...]:
+    """Attributes with numbers or tables: each name, key, `TableField.largest`, and if tables."""
+    fields = fields_of(table).items()
+    rows = ((name, one.key, one.largest, bool(one.tables)) for name, one in fields)
+    return tuple(row for row in rows if row[2] is not None or row[3])
+
+
+def _check_numbers(value: Any, largest: float, holder: Settings, path: Path) -> None:
+    """Reject numbers beyond a magnitude, in lists of any depth."""
+    if isinstance(value, tuple):
+        for k, entry in enumerate(value):
+            _check_numbers(entry, largest, holder, (*path, k))
+        return
+    is_number = isinstance(value, float | int | Traced) and not isinstance(value, bool)
+    if is_number and not holds(lambda x: abs(x) <= largest, value):
+        raise _too_large(value, largest, holder, path)
+
+
+def _too_large(value: float, largest: float, holder: Settings, path: Path) -> PydanticCustomError:
+    """Problem of a number of a table beyond a magnitude."""
+    key = next(word for word in reversed(path) if isinstance(word, str))
+    field = next(one for one in fields_of(type(holder)).values() if one.key == key)
+    declared = field.unit or Unit("")
+    unit = declared.unit or _unit_by_law((key,), holder)
+    signed = declared.least is None and declared.above is None
+    bound = with_unit(largest, unit)
+    wanted = f"from -{bound} to {bound}" if signed else f"at most {bound}"
+    return problem(f"must be {wanted} (got {with_unit(value, unit)})", dotted_path(path))
 
 
 # -- numbers of a scenario ------------------------------------------------------------------------

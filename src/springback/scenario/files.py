@@ -19,6 +19,7 @@ from springback.scenario.overrides import apply_overrides
 from springback.scenario.presets import is_vehicle_file
 from springback.scenario.scenario import Scenario, expand_presets
 from springback.scenario.source_text import source_text, toml_tables
+from springback.scenario.worlds.mesh_check import tell_of_grids
 from springback.vehicle.parameters import Vehicle
 
 #: An obstacle that a problem of another key names.
@@ -202,6 +203,7 @@ def checked_scenario(
     found: list[tuple[tuple[Key, ...], str]]
     try:
         expanded = expand_presets(with_absolute_names(given, Path()))
+        tell_of_grids(expanded)
         return Scenario.model_validate(expanded, context={"pilot": pilot})
     except InputError as error:
         found = [(error.path, line) for line in error.problems]

@@ -31,7 +31,6 @@ from springback.kernels.routines import routines_compiled
 from springback.kernels.tracing import sqrt, traceable  # for batch set-up
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Mat3, Vec, rotation
-from springback.quantities import si_number
 from springback.scenario.tables import (
     ModelError,
     ModelSettings,
@@ -39,15 +38,14 @@ from springback.scenario.tables import (
     ScenarioTables,
     SimulationSettings,
     Start,
-    ThrustSettings,
     UserShape,
     WorldSettings,
 )
+from springback.scenario.vehicles.thrusts import thrust_table, thrusts_of
 from springback.scenario.worlds.imported import single_obstacles
 from springback.settings import naming, problem
 from springback.simulation.flight import memory_at_start, with_spin
 from springback.simulation.measuring.record import Model, Timing
-from springback.simulation.thrusts import ThrustTable
 from springback.vehicle.arms.at_start import bends_at_start, check_compression
 from springback.vehicle.hulls import HullSettings
 from springback.vehicle.mass.bounds import check_inertia
@@ -69,59 +67,6 @@ INEXACT, SHORTEST_LOOK, MOST_LOOKS = 1.05, 1e-6, 20_000
 
 Matrix = np.ndarray[Any, np.dtype[np.float64]]
 Moments = tuple[tuple[float, ...], ...]
-
-
-# -- thrust ---------------------------------------------------------------------------------------
-
-
-def hover_thrusts(vehicle: Vehicle, gravity: float) -> tuple[float, ...]:
-    """Weight of a vehicle, shared by all rotors that lift [N]."""
-    return vehicle.hover_thrusts(vehicle.mass * gravity)
-
-
-def thrusts_of(
-    vehicle: Vehicle, gravity: float, thrust: Any, is_piloted: bool
-) -> tuple[float, ...]:
-    """Thrust of each rotor [N].
-
-    Args:
-        vehicle: Nominal vehicle.
-        gravity: g [m/s²].
-        thrust: As given: one for all, a list, ``"hover"``, or a table, whose first row is taken.
-        is_piloted: True for a pilot, which starts at the hover thrust.
-    """
-    count = vehicle.rotor_count
-    if isinstance(thrust, ThrustSettings):
-        _check_table(vehicle, thrust)
-        return thrust.values[0]
-    if thrust == "hover" or is_piloted:
-        return hover_thrusts(vehicle, gravity)
-    if isinstance(thrust, list | tuple) and len(thrust) != count:
-        raise problem(f"has {len(thrust)} entries for {count} rotors", "thrust")
-    given = thrust if isinstance(thrust, list | tuple) else (thrust,) * count
-    with naming("thrust"):
-        return tuple(si_number(entry, "N", least=0.0) for entry in given)
-
-
-def _check_table(vehicle: Vehicle, thrust: ThrustSettings) -> None:
-    """Reject rows of another number of rotors, and thrusts that the rotors cannot give."""
-    count, propulsion = vehicle.rotor_count, vehicle.propulsion
-    for k, row in enumerate(thrust.values):
-        if len(row) != count:
-            raise problem(f"has {len(row)} entries for {count} rotors", f"thrust.values[{k}]")
-        if propulsion is not None and max(row) > propulsion.max_thrust:
-            raise problem(
-                f"must be at most {propulsion.max_thrust:g} N, the largest thrust of a rotor "
-                f"(got {max(row):g} N)",
-                f"thrust.values[{k}]",
-            )
-
-
-def thrust_table(thrust: Any) -> ThrustTable | None:
-    """Thrusts over time, as `thrusts_of` has checked them; None if they are constant."""
-    if not isinstance(thrust, ThrustSettings) or len(set(thrust.values)) == 1:
-        return None
-    return ThrustTable(thrust.time, thrust.values)
 
 
 # -- the true vehicle -----------------------------------------------------------------------------

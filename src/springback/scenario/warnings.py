@@ -20,6 +20,7 @@ from springback.scenario.avionics import NominalVehicle, limits_of, nominal_vehi
 from springback.scenario.model import contact_point_of
 from springback.scenario.scenario import Scenario
 from springback.scenario.tables import ScenarioTables
+from springback.scenario.vehicles.hover_rest import hover_warnings
 from springback.scenario.vehicles.overlap import overlap_warnings
 from springback.scenario.vehicles.range_check import size_warnings
 from springback.scenario.worlds.imported import Imported, named_obstacles, single_obstacles
@@ -59,21 +60,24 @@ def scenario_warnings(
         given = frozenset() if saved else scenario.model_fields_set
     found = _unrepresented(scenario) + _curved(scenario)
     found += mesh_warnings(scenario.world.obstacles) + _overdamped(scenario)
-    found += _nothing_beside(scenario) + _of_vehicle(scenario)
+    found += _nothing_beside(scenario) + _of_vehicle(scenario, own)
     found += _warnings_of_the_pilot(scenario, own, given)
     if scenario.second is not None:
         other = scenario.beside()
         written = scenario.second.model_fields_set
         piloted = _warnings_of_the_pilot(other, other.pilot is not None, written)
-        found += [f"second: {sentence}" for sentence in _of_vehicle(other) + piloted]
+        found += [f"second: {sentence}" for sentence in _of_vehicle(other, False) + piloted]
     return found
 
 
-def _of_vehicle(scenario: ScenarioTables) -> list[str]:
-    """Guards in each other, sizes and springs that are seldom meant."""
+def _of_vehicle(scenario: ScenarioTables, own: bool) -> list[str]:
+    """Guards in each other, sizes and springs that are seldom meant, joints that hover bends."""
     vehicle = scenario.vehicle
     sizes = size_warnings(vehicle, scenario.simulation.impact_step)
-    return overlap_warnings(vehicle) + sizes
+    piloted = own or scenario.pilot is not None or scenario.reference is not None
+    hovers = piloted or scenario.thrust != 0.0
+    rests = hover_warnings(vehicle, scenario.world.gravity) if hovers else []
+    return overlap_warnings(vehicle) + sizes + rests
 
 
 def _curved(scenario: ScenarioTables) -> list[str]:
@@ -106,7 +110,9 @@ def _overdamped(scenario: ScenarioTables) -> list[str]:
             return [
                 f"{path}.surface: a viscosity of {viscosity:g} N s/m is {ratio:.3g} times what is "
                 f"critical for its stiffness and the vehicle's mass: the force jumps at the touch, "
-                f"by some {viscosity / mass:.3g} m/s² for each m/s, and peaks say no more than that"
+                f"by some {viscosity / mass:.3g} m/s² for each m/s; do not use peak accelerations "
+                f"and forces of this contact, or give it a viscosity of at most "
+                f"{2.0 * MOST_DAMPED * math.sqrt(stiffness * mass):.3g} N s/m"
             ]
     return []
 

@@ -70,7 +70,11 @@ def check_shape(shape: Any, start: Vec, *, progress: Progress = silent) -> list[
     points = [point for one in seen for point in one.outside]
     if not problems:
         problems += _overstated(shape, points, [point for one in seen for point in one.surface])
-    where = f"nearest at {_text(places[0])} m" if places else "no surface was reached"
+    where = (
+        f"met first at {_text(places[0])} m, along the gradient"
+        if places
+        else "no surface was reached"
+    )
     if len(places) > 1:
         low, high = Vec(*map(min, *places)), Vec(*map(max, *places))
         where += f", sampled in {len(places)} places from {_text(low)} to {_text(high)} m"
@@ -111,7 +115,11 @@ def _overstated(shape: Any, points: list[Vec], surface: list[Vec]) -> list[str]:
 
 
 def _places(shape: Any, start: Vec) -> list[Vec]:
-    """Places of the surface, that nearest to the start first; none if there is no surface."""
+    """Places of the surface, none if there is none; first that which the gradient leads to.
+
+    Where another part is nearer to the side than ahead, or the distance is a bound, this is not the
+    nearest.
+    """
     points = itertools.chain([start], _nearer(shape, start))
     reached = (_nearest(shape, point) for point in points)
     first = next((place for place in reached if place is not None), None)

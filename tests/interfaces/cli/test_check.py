@@ -115,6 +115,7 @@ def test_a_wrong_obstacle_fails_with_its_reason(tmp_path: Path) -> None:
     ("words", "message"),
     [
         (["Pole", "x=2"], "does not take them"),
+        (["Pole"], r"cannot be made without any: .*own_obstacle\.py:Pole radius=0\.1$"),
         (["Pole", "x=2", "y=[1, 2]", "radius=1"], "y"),
         (["POLE", "x=2"], "takes none"),
         (["main", "x=2"], "main does not take a PilotContext, x"),

@@ -16,6 +16,7 @@ from builders.interrupts import heed_interrupts
 from builders.missing import needs
 from springback.errors import InputError
 from springback.interfaces.cli.app import cli
+from springback.scenario import checks
 
 SCENARIO = """\
 name = "test flight"
@@ -208,15 +209,21 @@ def test_wrong_usage_exits_with_2(folder: Path) -> None:
         assert "Traceback" not in done.stderr
 
 
-def test_a_diverging_flight_ends_with_1_and_its_last_good_state(folder: Path) -> None:
+def test_a_diverging_flight_ends_with_1_and_its_last_good_state(
+    folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Numbers with which one does are refused, so that this one is flown as if they were not."""
+    monkeypatch.setattr(checks, "check_magnitudes", lambda tables: None)
     words = (
         "world.obstacles.0.surface.stiffness=1e30",
         "world.obstacles.0.surface.dissipation=1e9",
     )
-    done = run("fly", "s.toml", *words, "--out", "out", "--no-figures", "--json", cwd=folder)
-    assert done.returncode == 1
+    out = folder / "out"
+    given = ["fly", str(folder / "s.toml"), *words, "--out", str(out), "--no-figures", "--json"]
+    done = CliRunner().invoke(cli, given)
+    assert done.exit_code == 1
     assert json.loads(done.stdout)["outcome"] == "not_finite"
-    assert "NaN" not in (folder / "out" / "summary.json").read_text()
+    assert "NaN" not in (out / "summary.json").read_text()
 
 
 def test_show_names_the_source_of_every_number(folder: Path) -> None:

@@ -33,8 +33,14 @@ def test_a_table_is_printed_with_unit_range_default_and_meaning() -> None:
     (start,) = key_tables("start")
     assert [line.key for line in start.keys] == [one.key for one in fields_of(Start).values()]
     text = table_text(start)
-    assert "  position (m, three, default [0, 0, 1])\n      Of the main body, less offset;" in text
-    assert "  touch_distance (m; ≥ 0)\n      Distance from the start to the first touch" in text
+    assert (
+        "  position (m, three; within ±1e+06, default [0, 0, 1])\n      Of the main body, less offset;"
+        in text
+    )
+    assert (
+        "  touch_distance (m; ≥ 0, ≤ 1e+06)\n      Distance from the start to the first touch"
+        in text
+    )
 
 
 def test_one_of_several_is_named_by_its_type() -> None:
@@ -114,5 +120,5 @@ def test_vectors_and_pairs_are_counted() -> None:
     (hinge,), (window,) = key_tables("joint.hinge"), key_tables("obstacles.window")
     allowed = {line.key: line.allowed for line in (*hinge.keys, *window.keys)}
     assert allowed["travel"] == "rad, two, or two for each arm"
-    assert allowed["axis"] == "plain, three, or three for each arm"
-    assert allowed["size"] == "m, two; > 0"
+    assert allowed["axis"] == "plain, three, or three for each arm; within ±1e+06"
+    assert allowed["size"] == "m, two; > 0, ≤ 1e+06"

@@ -322,3 +322,13 @@ def test_moving_obstacles_keep_their_numbers_beside_an_import(tmp_path: Path) ->
     model = scenario(tmp_path, ALL, IMPORT + moved).flight_model()
     bodies = [body for body in moving_bodies(model.world.obstacles) if body.kind != ABSENT]
     assert [body.obstacle for body in nonempty(bodies)] == [1.0]
+
+
+def test_an_element_at_an_absurd_place_is_refused_by_its_number(tmp_path: Path) -> None:
+    models = sdf(sdf_model("a", BOX, "3 0 1 0 0 0"), sdf_model("b", BOX, "5e7 0 0 0 0 0"))
+    (tmp_path / "w.sdf").write_text(models)
+    entry = {"type": "import", "file": str(tmp_path / "w.sdf"), "surface": {"preset": "wall"}}
+    with pytest.raises(
+        InputError, match=r"elements\[1\]\.position\[0\]: must be from -1e\+06 m to"
+    ):
+        scenario_from({"vehicle": "arq", "world": {"obstacles": [entry]}})

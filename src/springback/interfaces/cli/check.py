@@ -102,9 +102,11 @@ def _check_scenario(path: Path, overrides: Sequence[str], terminal: Terminal) ->
     from springback.results.flight import ready_flight
     from springback.results.pair.flying import of_second
     from springback.scenario.files import as_input, read_scenario
+    from springback.scenario.worlds.mesh_check import telling
 
-    with terminal.spinner(_CHECKING):
-        scenario = read_scenario(path, overrides)
+    with terminal.spinner(_CHECKING) as tell:
+        with telling(tell):
+            scenario = read_scenario(path, overrides)
         with as_input(path, overrides):
             ready_flight(scenario)  # code of the user's own that cannot be used is refused
             if scenario.second is not None:
@@ -262,7 +264,10 @@ def _shape_findings(
         raise InputError(*UserShape.in_words(error)) from None
     except InputError as error:
         lines = (line.removeprefix("world.obstacles[0].") for line in error.problems)
-        raise InputError(*lines) from None
+        how = "" if given else f"; give its numbers after its name, as in {name} radius=0.1"
+        raise InputError(
+            *(line + how if line.startswith("parameters: ") else line for line in lines)
+        ) from None
     start = read_scenario(scenarios[0]).start if scenarios else Start()
     with terminal.progress_bar("testing the shape") as show:
         return check_shape(shape, Vec(*start.position), progress=show)

@@ -83,28 +83,30 @@ class Terminal:
                 yield lines.show, lines.tell
 
     @contextmanager
-    def spinner(self, label: str) -> Iterator[None]:
-        """A spinner for work that reports no progress, such as compiling.
+    def spinner(self, label: str) -> Iterator[Callable[[str], None]]:
+        """A spinner for work that reports no progress; yields what tells in words what is done.
 
         Without a terminal a line every ten seconds.
         """
         import threading
 
         from rich.console import Console
+        from rich.markup import escape
 
         console = Console(stderr=True)
         if self.quiet:
-            yield
+            yield lambda doing: None
             return
         if not console.is_terminal:
-            with ProgressLines(label, say).looking():
-                yield
+            lines = ProgressLines(label, say)
+            with lines.looking():
+                yield lines.tell
             return
         status = console.status(label)
         timer = threading.Timer(PATIENCE, status.start)
         timer.start()
         try:
-            yield
+            yield lambda doing: status.update(escape(f"{label}: {doing}"))
         finally:
             timer.cancel()
             timer.join()

@@ -98,6 +98,7 @@ def fly(
     from springback.scenario.files import as_input, read_scenario
     from springback.scenario.user.pilots import read_pilot
     from springback.scenario.warnings import scenario_warnings
+    from springback.scenario.worlds.mesh_check import telling
 
     if overlay is not None:
         overrides = (*overlay_words(overlay), *overrides)
@@ -110,7 +111,8 @@ def fly(
         if value:
             raise InputError(f"--{_OPTIONS.get(name, name)}: needs --against")
     own = read_pilot(pilot) if pilot else None
-    ready = read_scenario(scenario, overrides, pilot=own is not None)
+    with output.spinner("reading; grids of new meshes and maps are made") as tell, telling(tell):
+        ready = read_scenario(scenario, overrides, pilot=own is not None)
     with output.folder(FLIGHT_FILES) as folder:
         for sentence in scenario_warnings(ready, own=own is not None or ready.pilot is not None):
             say(f"warning: {sentence}")

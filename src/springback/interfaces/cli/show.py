@@ -38,8 +38,10 @@ def show(preset: str | None, keys: bool, terminal: Terminal) -> None:
     """
     from springback.contact.library import SOURCES, SURFACES
     from springback.scenario.scenario import preset as known_preset
+    from springback.scenario.vehicles.hover_rest import hover_warnings
     from springback.sensing.library import ESTIMATORS
     from springback.sensing.library import SOURCES as ESTIMATOR_SOURCES
+    from springback.vehicle.endurance import GRAVITY
     from springback.vehicle.library import VEHICLES
     from springback.vehicle.materials import MATERIALS, MaterialRange
 
@@ -90,6 +92,9 @@ def show(preset: str | None, keys: bool, terminal: Terminal) -> None:
         "derived": extra,
     }
     terminal.print(data, as_lines(data))
+    if preset in VEHICLES:
+        for sentence in hover_warnings(entry.vehicle, GRAVITY):
+            say(f"warning: {sentence}")
 
 
 def _show_keys(path: str, terminal: Terminal) -> None:

@@ -162,6 +162,16 @@ def unit_text(field: TableField) -> str:
     return (text or "plain") + _count_text(field) + (f"; {limits}" if limits else "")
 
 
+def largest_text(field: TableField) -> str:
+    """Unit, number and range of a key of a scenario, with the largest magnitude of its numbers."""
+    text, unit, largest = unit_text(field), field.unit, field.largest
+    if unit is None or largest is None or unit.unit == "rad":  # angles are within a full turn
+        return text
+    signed = unit.least is None and unit.above is None
+    bound = f"within ±{number_text(largest)}" if signed else f"≤ {number_text(largest)}"
+    return text + (", " if ";" in text else "; ") + bound
+
+
 def _count_text(field: TableField) -> str:
     """How many numbers a key takes, in words; empty for one."""
     types = {leaf for leaf, _ in field.entries}
@@ -222,7 +232,9 @@ def tables_below(table: type[Settings], path: str = "") -> list[tuple[str, list[
 def _line(name: str, field: TableField, told: dict[str, str]) -> KeyLine:
     names = ", ".join(dict.fromkeys(filter(None, map(_kind, field.tables)))) or "table"
     allowed = (
-        ", ".join(field.words) or unit_text(field) or (names if field.tables else plain_kind(field))
+        ", ".join(field.words)
+        or largest_text(field)
+        or (names if field.tables else plain_kind(field))
     )
     default = "needed" if field.required else default_text(field)
     words = " ".join((told.get(name) or words_for(name, field)).replace("`", "").split())

@@ -88,7 +88,8 @@ def _shape(entry: UserShape) -> Any:
             shape = traceable(made)(*entry.parameters.values())
         except (Exception, SystemExit) as error:
             place = error_words(error)
-            raise InputError(f"parameters: {entry.shape} does not take them: {place}") from error
+            does = "does not take them" if entry.parameters else "cannot be made without any"
+            raise InputError(f"parameters: {entry.shape} {does}: {place}") from error
     elif entry.parameters:
         raise InputError(f"parameters: {entry.shape} is a shape, not its type, and takes none")
     if not isinstance(shape, tuple) or not hasattr(shape, "_fields"):

@@ -20,6 +20,7 @@ from springback.contact.worlds import BuiltIn, ObstacleSettings
 from springback.errors import InputError, excerpt, within
 from springback.problems import dotted_path, problem_paths
 from springback.quantities import LARGEST, Angle, Factor
+from springback.scenario.fields import check_magnitudes
 from springback.scenario.worlds.content import WorldContent, WorldRemark
 from springback.scenario.worlds.files import world_content
 from springback.scenario.worlds.paths import file_bytes
@@ -171,6 +172,13 @@ def _parts_of(imported: Imported) -> tuple[NamedObstacle, ...]:
             raise problem(f"{one.name}: {keys}: {what}", "file") from None
         found.append(NamedObstacle(one.name, obstacle))
     return tuple(found)
+
+
+def check_imported(obstacles: Iterable[Any]) -> None:
+    """Reject elements of imported worlds with absurdly large numbers; see `check_magnitudes`."""
+    for k, entry in enumerate(obstacles):
+        for j, part in enumerate(entry.parts if isinstance(entry, Imported) else ()):
+            check_magnitudes(part.obstacle, ("world", "obstacles", k, "elements", j))
 
 
 def _elements(count: int) -> str:
