@@ -125,7 +125,7 @@ def test_reading_runs_nothing(folder: Path) -> None:
         (('pilot = "mine.py"',), r"flight.toml:2: pilot: must be FILE.py:NAME \(got 'mine.py'\)"),
         (
             ('pilot = "mine:share"',),
-            r"flight.toml:2: pilot: must be FILE.py:NAME \(got '.*/mine:sha",
+            r"flight.toml:2: pilot: must be FILE.py:NAME \(got '.*/mine:s",
         ),
         (('pilot = "none.py:hover"',), r"none.py: there is no such file"),
         (('pilot = "mine.py:hover"',), r"mine.py: has no 'hover'; there are: .*share"),
@@ -158,7 +158,7 @@ def test_the_name_of_a_module_is_told_the_form_that_is_wanted(
         ({"shape": "mine.py:WALL", "parameters": {"x": 1.0}}, "is a shape, not its type"),
         ({"shape": "mine.py:wall", "parameters": {"x": "3 m"}}, "parameters.x: .*plain number"),
         ({"shape": "mine.py:wall", "parameters": {"x": True}}, "must be a plain number"),
-        ({"shape": "mine.py:share"}, r"share does not take them: TypeError"),
+        ({"shape": "mine.py:share"}, r"share cannot be made without any: TypeError"),
         ({"shape": "mine.py:calls"}, r"must be a shape, a NamedTuple"),
         ({"shape": "mine.py:wall", "parameters": {"x": 2.3}}, "start.position: puts the"),
         (
