@@ -38,7 +38,7 @@ Path = tuple[str | int, ...]
 LARGEST_BY_UNIT = {
     "m": 1e6, "m/s": 1e4, "m/s^2": 1e6, "rad": FULL_TURN, "rad/s": 1e5, "rad/s^2": 1e9,
     "s": 1e9, "1/s": 1e9, "1/s^2": 1e12, "Hz": 1e12, "s/m": 1e6, "s^2/m": 1e6, "1/m^2": 1e6,
-    "kg": 1e6, "kg m^2": 1e12, "kg/m": 1e6, "kg/m^3": 1e6,
+    "kg": 1e9, "kg m^2": 1e12, "kg/m": 1e6, "kg/m^3": 1e6,
     "N": 1e6, "N/m": 1e12, "N/m^2": 1e12, "N s/m": 1e9, "N/(m s)": 1e9, "N s^2/rad^2": 1e6,
     "N m": 1e6, "N m/rad": 1e12, "N m/rad^2": 1e12, "N m s/rad": 1e9,
     "J": 1e12, "W": 1e9, "T": 1e3, "V": 1e6, "V/T": 1e9,
