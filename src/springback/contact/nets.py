@@ -40,7 +40,7 @@ PerLength = Annotated[float, Unit("N/m", above=0.0)]
 
 
 class Net(AttitudeSettings, ShapeSettings):
-    """A net or a curtain: it yields by decimetres, and gives little back."""
+    """A net or a curtain: it yields, and gives little back."""
 
     type: Literal["net"]
     position: Place
