@@ -43,8 +43,9 @@ def test_a_scenario_with_a_mesh_tells_its_name_file_and_nodes(tmp_path: Path) ->
     found: list[str] = []
     with telling(found.append):
         scenario = read_scenario(tmp_path / "s.toml")
-    nodes = scenario.world.obstacles[0].form().nodes  # type: ignore[union-attr]
-    assert node_counts(0.1, 0.005) ** 3 == nodes  # type: ignore[arg-type]
+    rock: Any = scenario.world.obstacles[0]
+    nodes = rock.form().nodes
+    assert node_counts(0.1, 0.005) ** 3 == nodes
     [said] = found
     assert f"world.obstacles[0], the rock (rock.obj): {1e-6 * nodes:.2g} million nodes" in said
     assert "a larger cell makes a grid coarser" in said

@@ -201,7 +201,7 @@ def _all_near(
     """Obstacles that may be the nearest to a point of the world."""
     yield from _near_at_rest(there, point, names)
     for body, now in zip(moving_bodies(there), bodies, strict=True):
-        if body.kind != ABSENT:
+        if body.kind != ABSENT and body.scene != 0.0:  # parts without solids are not met
             pose = body_pose(body, now)
             name = names.other if body.kind == CARRIED else names.moving[body.obstacle]
             for gap, _ in _in_table(body.scene, (point - pose.position) @ pose.r):
@@ -253,11 +253,10 @@ def _place_at(given: _Evaluation, row: int, part: int) -> ContactPlace | None:
                 return ContactPlace(names.other, (x, y, z))
         if pressed.normal <= NO_FORCE:
             return ContactPlace(names.other, None) if given.beside else None
-        near = _all_near(
-            given.model.world.obstacles, instant.state.bodies, pressed.point, given.names
-        )
+        bodies, there = instant.state.bodies, given.model.world.obstacles
+        near = list(_all_near(there, bodies, pressed.point, names))
         x, y, z = pressed.point
-        name = min(near).name
+        name = min(near).name if near else names.other
         return ContactPlace(name, (x, y, z), name in names.grounds)
 
 
