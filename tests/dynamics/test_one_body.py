@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from types import ModuleType
 from typing import Any
 
 import numpy as np
@@ -21,7 +22,7 @@ from springback.dynamics.rigid import (
 from springback.kernels.trees import leaves
 from springback.kernels.vectors import Quat, Vec
 from springback.scenario.scenario import scenario_from
-from springback.simulation import executor
+from springback.simulation import executor, stages
 from springback.simulation.flight import fly_one
 from springback.vehicle.state import State
 
@@ -141,18 +142,19 @@ def test_a_flight_that_never_cruises_is_the_same(monkeypatch: pytest.MonkeyPatch
 def test_a_flight_out_of_room_looks_about_and_cruises_on(monkeypatch: pytest.MonkeyPatch) -> None:
     """A look costs no step; only where something is near, or slides, is the flight steered."""
     told = {"clearance_check": 0, "rates_of": 0, "rates_within": 0}
+    rooms = (executor, executor, stages)
 
-    def counted(name: str) -> None:
-        original = getattr(executor, name)
+    def counted(room: ModuleType, name: str) -> None:
+        original = getattr(room, name)
 
         def counting(*given: object) -> object:
             told[name] += 1
             return original(*given)
 
-        monkeypatch.setattr(executor, name, counting)
+        monkeypatch.setattr(room, name, counting)
 
-    for name in told:
-        counted(name)
+    for room, name in zip(rooms, tuple(told), strict=True):
+        counted(room, name)
     ground = {"type": "ground", "height": -1.0, "surface": "wall"}
     tables = scenario(world={"gravity": 0.0, "obstacles": [ground]}, thrust=0.0)
     ready = scenario_from({**tables, "start": {"velocity": [4.0, 0.0, 0.0]}})
