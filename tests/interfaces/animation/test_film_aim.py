@@ -98,13 +98,24 @@ def test_ground_close_below_is_in_the_view(flat: Scene, below: float, is_near: b
     assert all(seen) if is_near else not any(seen)
 
 
-def test_a_long_name_ends_before_the_numbers(flat: Scene) -> None:
+@pytest.mark.parametrize(
+    ("label", "size", "lines"),
+    [("ARQ", (760, 540), 1), ("a rather long name of a scenario", (760, 540), 2),
+     ("an endless name of a scenario " * 4, (760, 540), 2), ("ARQ (softer)", (400, 360), 2)],
+)  # fmt: skip
+def test_a_name_is_beside_the_numbers_or_above_them(
+    flat: Scene, label: str, size: tuple[int, int], lines: int
+) -> None:
     """It was written over them where two flights are side by side."""
-    named = [replace(flat, label="a rather long name of a scenario", world=k) for k in (0, 1)]
-    picture = Frame(named, timing.timing(named, slow=20.0, fps=25.0), (760, 540))
+    named = [replace(flat, label=label, world=k) for k in (0, 1)]
+    picture = Frame(named, timing.timing(named, slow=20.0, fps=25.0), size)
     picture.at(len(picture.timing.t) // 2)
-    names = [text for text in picture.figure.texts if text.get_text().startswith("a rat")]
-    assert len(names) == 2
-    for name, [line] in zip(names, picture.said, strict=True):
-        assert name.get_text().endswith("…")
-        assert name.get_window_extent().x1 < line.get_window_extent().x0
+    assert picture.lines == lines
+    for k, ([name], [line], views) in enumerate(
+        zip(picture.names, picture.said, picture.panels, strict=True)
+    ):
+        written, numbers = name.get_window_extent(), line.get_window_extent()
+        assert name.get_text() == label or (len(label) > 100 and name.get_text().endswith("…"))
+        assert written.x1 < (k + 1) * size[0] / 2
+        assert written.x1 < numbers.x0 if lines == 1 else written.y0 > numbers.y1 - 2.0
+        assert views[0].ax.get_window_extent().y1 < numbers.y0

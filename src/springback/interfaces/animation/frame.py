@@ -26,10 +26,10 @@ ARROW = 0.28
 """Chosen: length of the arrow of the largest contact force [m]."""
 CURVE, HEAD, GAP = 0.25, 0.07, 0.004
 """Chosen: heights of curve and clock and gap between the views, as fractions of the figure."""
-MOST_GIVEN, SPACE, SMALL = 0.0888, 8.0, 9.0
-"""Chosen: compression for which there is room [m], room after a name [px], its small type [pt]."""
+MOST_GIVEN, SPACE, LARGE, SMALL = 0.0888, 8.0, 12.0, 9.0
+"""Chosen: compression for which there is room [m], room after a name [px], its type sizes [pt]."""
 ROW = 0.042
-"""Chosen: height of the line above the views with a robot's name and numbers, likewise."""
+"""Chosen: height of a line above the views with a robot's name or numbers, likewise."""
 
 
 class Frame:
@@ -48,9 +48,13 @@ class Frame:
         self.figure = Figure(figsize=(size[0] / 100, size[1] / 100), dpi=100, facecolor="white")
         self.canvas = _canvas(self.figure)
         self.newton = ARROW / max(1.0, *(float(_size(s.force).max(initial=0.0)) for s in scenes))
+        self.names: list[list[Any]] = []
+        """Names of the robots of each world."""
         self.said: list[list[Any]] = []
         """Lines with numbers, of each robot of each world."""
         self.panels = [self._column(k) for k in range(len(self.worlds))]
+        self.lines = self._place_words()
+        """Lines above the views for each robot: 1, or 2 where names are above the numbers."""
         self.aim = FilmAim(self.panels, timing)
         self._place_views()
         self.curve = _Curve(self)
@@ -111,37 +115,59 @@ class Frame:
         side, above = views(*scenes)
         upper = self._panel(k, side, "from the side")
         lower = self._panel(k, above, "from above")
+        self.names.append([])
         self.said.append([])
         for row, scene in enumerate(scenes):  # beside the views, where they cover nothing
-            y = 1.0 - HEAD - ROW * (row + 0.5)
-            name = self.figure.text(
-                k * width + 0.012, y, escape(scene.label), va="center", weight="bold",
-                fontsize=12 * self.unit, color=LOOKS[(k + row) % 2].colour,
+            self.names[-1].append(
+                self.figure.text(
+                    k * width + 0.012, 0.0, escape(scene.label), va="center", weight="bold",
+                    color=LOOKS[(k + row) % 2].colour,
+                )
             )  # fmt: skip
             self.said[-1].append(
                 self.figure.text(
-                    (k + 1) * width - 0.012, y, "", ha="right", va="center", color=INK,
+                    (k + 1) * width - 0.012, 0.0, "", ha="right", va="center", color=INK,
                     fontsize=10 * self.unit, animated=True,
                 )
             )  # fmt: skip
-            self._fit(name, self.said[-1][-1], scene)
         return upper, lower
 
-    def _fit(self, name: Any, line: Any, scene: Scene) -> None:
-        """Write a robot's name smaller, then shorten it, where the numbers beside it need room."""
+    def _place_words(self) -> int:
+        """Write robots' names beside their numbers, in smaller type or else above them.
+
+        Returns:
+            Lines of each robot.
+        """
+        column = self.figure.bbox.width * (1.0 / len(self.worlds) - 0.024)
+        each = [
+            (name, scene, column - self._widest(line, scene) - SPACE * self.unit)
+            for names, said, scenes in zip(self.names, self.said, self.worlds, strict=True)
+            for name, line, scene in zip(names, said, scenes, strict=True)
+        ]
+        beside = any(
+            all(_fits(name, room, size * self.unit) for name, _, room in each)
+            for size in (LARGE, SMALL)
+        )
+        if not beside:
+            for name, scene, _ in each:
+                _shorten(name, scene.label, column, self.unit)
+        lines = 1 if beside else 2
+        for names, said in zip(self.names, self.said, strict=True):
+            for row, (name, line) in enumerate(zip(names, said, strict=True)):
+                name.set_y(1.0 - HEAD - ROW * (lines * row + 0.5))
+                line.set_y(1.0 - HEAD - ROW * (lines * (row + 1) - 0.5))
+        return lines
+
+    def _widest(self, line: Any, scene: Scene) -> float:
+        """Width of the longest line of numbers of a robot [px]."""
         line.set_text(_words(scene, float(_size(scene.force.sum(axis=1)).max()), MOST_GIVEN))
-        room, label = line.get_window_extent().x0 - name.get_window_extent().x0, scene.label
+        width = float(line.get_window_extent().width)
         line.set_text("")
-        room -= SPACE * self.unit
-        if name.get_window_extent().width > room:
-            name.set_fontsize(SMALL * self.unit)
-        while label and name.get_window_extent().width > room:
-            label = label[:-1]
-            name.set_text(escape(f"{label.rstrip()}…"))
+        return width
 
     def _place_views(self) -> None:
         """Give the views their places: the side view is as high as its robots need."""
-        rows, width = max(map(len, self.worlds)), 1.0 / len(self.worlds)
+        rows, width = self.lines * max(map(len, self.worlds)), 1.0 / len(self.worlds)
         height = 1.0 - CURVE - HEAD - ROW * rows
         share = self.aim.side_share()
         for k, (upper, lower) in enumerate(self.panels):
@@ -174,6 +200,20 @@ def worlds_of(scenes: Sequence[Scene]) -> list[list[Scene]]:
 def _canvas(figure: Figure) -> Any:
     """Canvas of a figure; its methods have no type hints."""
     return FigureCanvasAgg(figure)
+
+
+def _fits(name: Any, room: float, size: float) -> bool:
+    """True if a name of a type size [pt] is no wider than ``room`` [px]."""
+    name.set_fontsize(size)
+    return bool(name.get_window_extent().width <= room)
+
+
+def _shorten(name: Any, label: str, room: float, unit: float) -> None:
+    """Write a name in the largest type in which it fits into ``room`` [px], or its beginning."""
+    if not _fits(name, room, LARGE * unit) and not _fits(name, room, SMALL * unit):
+        while label and not _fits(name, room, SMALL * unit):
+            label = label[:-1]
+            name.set_text(escape(f"{label.rstrip()}…"))
 
 
 def _size(vectors: Array) -> Array:
