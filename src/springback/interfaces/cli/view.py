@@ -30,7 +30,7 @@ MOST_DIGITS = 18
 )
 @click.option(
     "--host", default="127.0.0.1", show_default=True,
-    help="Address to serve on; others than the default are public.",
+    help="Address to serve on; any but the default makes the page public.",
 )  # fmt: skip
 @click.option("--no-browser", is_flag=True, help="Open no browser.")
 @click.option("--force", is_flag=True, help="Replace the exported page.")

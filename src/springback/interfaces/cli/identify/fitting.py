@@ -33,10 +33,10 @@ LEAST = 0.9
 @click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
 @output_options("Folder for identified.toml, posterior.parquet, fit.json and the report.")
 def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
-    """Fit fields of a scenario to recorded impacts: PLAN says which, and to what uncertainty.
+    """Fit fields of a scenario to recorded impacts; PLAN names them and their uncertainty.
 
-    Values with 95 % intervals, what was not learned and why, and what does not fit.  The exit code
-    is 1 if nothing was learned.
+    It gives values with 95 % intervals, what was not learned and why, and what does not fit.  The
+    exit code is 1 if nothing was learned.
 
     \b
     springback identify fit fit.toml --out fitted
@@ -124,13 +124,14 @@ def fit_text(
 @click.argument("plan", type=ScenarioPath())
 @click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
 @click.option("--sets", type=click.IntRange(10, 10_000), default=200, show_default=True,
-              help="Synthetic sets.")  # fmt: skip
+              help="Number of synthetic sets of flights.")  # fmt: skip
 @output_options("Folder for check.json and check.csv.", "force", "as_json", "quiet", required=False)
 def check(plan: Path, overrides: tuple[str, ...], sets: int, output: Output) -> None:
-    """Do the intervals of a PLAN cover?  Synthetic flights through its scenario's sensors, fitted.
+    """Check that the intervals of a PLAN cover the truth, by fitting synthetic flights.
 
-    The scenario's numbers are the truth, and the plan's priors are displaced as often as they say.
-    The exit code is 1 if an interval covers less than it should.
+    The flights are seen through the scenario's sensors. The scenario's numbers are the truth, and
+    the plan's priors are off by as much, and as often, as they say. The exit code is 1 if an
+    interval covers the truth less often than it should.
 
     \b
     springback identify check fit.toml
@@ -188,10 +189,10 @@ def coverage_text(found: Coverage) -> str:
 @click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
 @output_options("Folder for plan.json and plan.csv.", "force", "as_json", "quiet", required=False)
 def plan_tests(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
-    """Which impact to fly next for a PLAN: the tests that tell most of its free fields.
+    """Choose the impacts to fly next for a PLAN: those that tell most about its free fields.
 
-    Candidates are the plan's ``candidates``: speeds, pitches and yaws of the scenario's start, and
-    others; logs that the plan has are fitted first, and count.
+    They are chosen from the plan's candidates: speeds, pitches and yaws of the scenario's start,
+    and others. If the plan has logs, these are fitted first, and what they tell is counted.
 
     \b
     springback identify plan fit.toml
