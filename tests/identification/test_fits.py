@@ -210,7 +210,7 @@ def test_the_example_tells_the_numbers_that_its_log_was_made_with() -> None:
 def test_the_terminal_lists_what_was_assumed_exactly(arq: FitResult) -> None:
     """The exponent is part of the law; a length moves a result; most numbers move none."""
     text = fit_text(arq, None, assumptions(arq.fits))
-    told = text.split("assumed exactly:\n")[1]
+    told = text.split("assumed to be exact:\n")[1]
     assert "world.obstacles.0.surface.exponent = 1.5: another value makes another law" in told
     assert "moving no result by a quarter of its uncertainty: " in told
     assert STIFFNESS not in told.split(": another")[0]

@@ -95,7 +95,7 @@ def _check_fit(path: Path, overrides: Sequence[str], terminal: Terminal) -> None
 # -- scenarios and plans --------------------------------------------------------------------------
 
 _CHECKING = (
-    "checking; code of your own is compiled first, and grids of new meshes and maps are made"
+    "checking; your own code is compiled first, and grids of new meshes and maps are computed"
 )
 
 

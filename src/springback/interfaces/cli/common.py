@@ -22,8 +22,8 @@ from springback.interfaces.output.progress_lines import ProgressLines
 
 Command = Callable[..., None]
 FIRST = (
-    "flying; a new kind of flight is compiled first, for 10 s (with a pilot for 20 s to a "
-    "minute, with moving obstacles for up to two, with a second vehicle up to four)"
+    "flying; a new kind of flight is compiled first, which takes 10 s (20 s to a minute with a "
+    "pilot, up to two minutes with moving obstacles, up to four with a second vehicle)"
 )
 """Label of the spinner while a flight is flown."""
 PATIENCE = 1.0

@@ -111,7 +111,8 @@ def fly(
         if value:
             raise InputError(f"--{_OPTIONS.get(name, name)}: needs --against")
     own = read_pilot(pilot) if pilot else None
-    with output.spinner("reading; grids of new meshes and maps are made") as tell, telling(tell):
+    label = "reading; grids of new meshes and maps are computed"
+    with output.spinner(label) as tell, telling(tell):
         ready = read_scenario(scenario, overrides, pilot=own is not None)
     with output.folder(FLIGHT_FILES) as folder:
         for sentence in scenario_warnings(ready, own=own is not None or ready.pilot is not None):

@@ -170,8 +170,8 @@ def _compile(flights: tuple[str, ...], terminal: Terminal) -> None:
             raise InputError(f"{word}: is neither a file nor a vehicle of the library; {hint}")
     chosen = named or COMMON
     terminal.note(
-        f"compiling {len(chosen)} kinds of flight, each alone and in campaigns, where they are not "
-        f"in the cache: some {TYPICAL[False]:.0f} s of processor time each"
+        f"compiling {len(chosen)} kinds of flight, each alone and in campaigns, unless they are in "
+        f"the cache: about {TYPICAL[False]:.0f} s of processor time each"
     )
     times: dict[str, float] = {}
     for done in compile_ahead(chosen):
@@ -180,7 +180,7 @@ def _compile(flights: tuple[str, ...], terminal: Terminal) -> None:
             terminal.note(f"{done.name}: {done.seconds:.0f} s ({len(times)} of {2 * len(chosen)})")
     data = {"folder": str(cache_folder()), "seconds": times}
     new = sum(1 for seconds in times.values() if seconds > 0.0)
-    kept = "" if new == len(times) else f", {len(times) - new} of them from before"
+    kept = "" if new == len(times) else f", {len(times) - new} of them already compiled before"
     terminal.print(data, f"kernels of {len(times)} kinds of flight are in {cache_folder()}{kept}")
 
 

@@ -109,7 +109,7 @@ def choices(trials: int, durations: str, seed: int, output: Output) -> None:
 
     times, figures = _durations(durations), output.wants_figures()
     with output.folder() as folder:
-        output.note("thousands of flights; minutes, and more if kernels must be compiled")
+        output.note("thousands of flights: minutes, or longer if kernels must be compiled")
         with output.progress_bar("sets of choices") as show:
             results = fly_choices(trials, durations=times, seed=seed, progress=show)
         with output.progress_bar("velocity lost to clipping") as show:

@@ -12,7 +12,7 @@ import click
 from springback.errors import InputError
 from springback.interfaces.cli.common import FIRST, PATH, Terminal, say, terminal_options
 
-READING = "reading the flight, evaluating its contact forces again, and drawing it"
+READING = "reading the flight, computing its contact forces again, and drawing it"
 """Label of the spinner where all results are folders of flights: nothing is flown."""
 #: Most digits of a word that is read as the number of a row.
 MOST_DIGITS = 18
