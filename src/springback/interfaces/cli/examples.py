@@ -247,7 +247,7 @@ def _vehicle_of_answers(name: str, given: Mapping[str, str], *, asks: bool) -> s
 
     known: dict[str, VehicleAnswer] = {}
     if asks and len(given) < len(QUESTIONS):
-        say("Numbers with a unit; Enter takes what is in brackets.")
+        say("Give numbers with a unit; Enter takes the answer in brackets.")
     for key in QUESTIONS:
         if key in given or not asks:
             known[key] = answer_to(key, given.get(key), known)
