@@ -159,7 +159,9 @@ def test_stiffness_inherits_the_uncertainty_of_mass() -> None:
     assert SHARES in wide.sentences
     assert SHARES not in narrow.sentences
     assert not any("was assumed" in text for text in narrow.sentences)
-    over_mass = f"of {STIFFNESS} only the ratio to mass is seen: the uncertainty of mass is in each"
+    over_mass = (
+        f"of {STIFFNESS} only the ratio to mass is measured: each contains the uncertainty of mass"
+    )
     assert over_mass in wide.sentences
     told = result(fitted(QUAD, known={"vehicle.body.mass": "+- 0.02 %"}))  # the data's is more
     assert any("vehicle.body.mass was assumed" in text for text in told.sentences)
