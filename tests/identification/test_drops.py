@@ -175,4 +175,4 @@ def test_a_drop_is_replayed(log: Recording, alone: bool) -> None:
     [peak] = [row for row in rows if row.what == "peak specific force"]
     assert abs(peak.error) < 0.02 * 174.0
     assert not peak.is_beyond
-    assert "a drop: impacts from above count, and its bounces do not" in flown.told
+    assert "a drop: impacts from above count, and bounces do not" in flown.told

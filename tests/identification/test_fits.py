@@ -159,7 +159,9 @@ def test_stiffness_inherits_the_uncertainty_of_mass() -> None:
     assert SHARES in wide.sentences
     assert SHARES not in narrow.sentences
     assert not any("was assumed" in text for text in narrow.sentences)
-    over_mass = f"of {STIFFNESS} only the ratio to mass is seen: the uncertainty of mass is in each"
+    over_mass = (
+        f"of {STIFFNESS} only the ratio to mass is measured: each contains the uncertainty of mass"
+    )
     assert over_mass in wide.sentences
     told = result(fitted(QUAD, known={"vehicle.body.mass": "+- 0.02 %"}))  # the data's is more
     assert any("vehicle.body.mass was assumed" in text for text in told.sentences)
@@ -210,7 +212,7 @@ def test_the_example_tells_the_numbers_that_its_log_was_made_with() -> None:
 def test_the_terminal_lists_what_was_assumed_exactly(arq: FitResult) -> None:
     """The exponent is part of the law; a length moves a result; most numbers move none."""
     text = fit_text(arq, None, assumptions(arq.fits))
-    told = text.split("assumed exactly:\n")[1]
+    told = text.split("assumed to be exact:\n")[1]
     assert "world.obstacles.0.surface.exponent = 1.5: another value makes another law" in told
     assert "moving no result by a quarter of its uncertainty: " in told
     assert STIFFNESS not in told.split(": another")[0]

@@ -52,7 +52,7 @@ def test_tests_that_rely_on_an_exact_number_are_chosen_with_a_word_of_it() -> No
     assert "10 % more move" in said
     assert '= "+- 10 %": the tests are then chosen without' in found.assumed[-1]
     text = experiments_text(found)
-    assert "assumed exactly, of all chosen tests together:\n" in text
+    assert "assumed to be exact, and what that does to all chosen tests together:\n" in text
     uncertain = plan.model_copy(update={"known": {**plan.known, SLIP: "+- 30 %"}})
     again = plan_experiments(uncertain, EXAMPLES)
     assert not [text for text in again.assumed if text.startswith(SLIP)]

@@ -155,7 +155,7 @@ def test_a_free_flight_under_logged_thrusts_is_within_the_uncertainty() -> None:
 
 def test_the_pilot_is_left_out_and_said() -> None:
     flown, _ = replayed("free", "thrust=0", "reference={type='hold'}")
-    assert "the scenario's pilot is left out: flown open loop" in flown.told
+    assert "the scenario's pilot is left out: the replay is open loop" in flown.told
     assert flown.flight_tables().get("reference") is None
     assert flown.flight_tables()["thrust"] == "hover"
 
@@ -235,7 +235,10 @@ def test_pulses_of_a_driver_are_no_thrusts() -> None:
     assert logged_thrusts(scenario_from(FREE), [log], (0.5, 0.7), 0.6) is None
     own = recorded("free")
     flown, _ = replayed("free", log=replace(own, channels=(*own.channels, pulses)))
-    assert "the logged commands are no shares of the largest thrust, and not used" in flown.warnings
+    assert (
+        "the logged commands are not shares of the largest thrust, and are not used"
+        in flown.warnings
+    )
 
 
 # -- what is refused -------------------------------------------------------------------------------

@@ -45,7 +45,7 @@ def test_a_fit_tells_each_round_of_its_search_and_of_its_profiles(
     words = [text.removeprefix(f"{fit.name}: ") for text in told]
     assert words[0] == "search from 3 starts, 0 flights so far"
     rounds = re.findall(
-        r"search from 3 starts, round (\d+) of 40 at most, (\d) not done", str(words)
+        r"search from 3 starts, round (\d+) of 40 at most, (\d) not finished", str(words)
     )
     assert [int(turn) for turn, _ in rounds] == list(range(1, len(rounds) + 1))
     assert rounds[-1][1] == "0"
@@ -74,7 +74,7 @@ def test_fit_without_a_terminal_has_lines_on_stderr(
     lines = [line for line in done.stderr.splitlines() if line.startswith("fitting: ")]
     for said in (
         r"reading the logs, after \d+ s",
-        r"\d+%, .*: search from 1 start, round \d+ of 40 at most, \d not done, \d+ flights so far",
+        r"\d+%, .*: search from 1 start, round \d+ of 40 at most, \d not finished, \d+ flights so far",
         r"\d+%, .*: \d of 5 profiles found, round \d of 5 at most",
     ):
         assert any(re.search(rf"^fitting: {said}", line) for line in lines), (said, lines[:5])

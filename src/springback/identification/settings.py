@@ -38,21 +38,21 @@ EXACT = "exact"
 
 
 class InertialChannel(Settings):
-    """An accelerometer [m/s²] or a gyroscope [rad/s]; what is not given is as the log tells."""
+    """An accelerometer [m/s²] or a gyroscope [rad/s]; what is not given is taken from the log."""
 
     average: Duration | None = None
     """Each sample is the mean over this time before its instant."""
     low_pass: Rate | None = None
-    """Corner of a low-pass after the range: ``bandwidth`` of a scenario's sensor.  One that is told
-    as ``30 Hz +- 20 %`` is fitted with the rest, the same in every impact."""
+    """Corner of a low-pass after the range: ``bandwidth`` of a scenario's sensor.  A corner such as
+    ``30 Hz +- 20 %`` is fitted with the rest, the same in every impact."""
     low_pass_uncertainty: Annotated[float, Unit("", above=0.0)] | None = None
     """Standard deviation of the corner, as a share of it; by default exact."""
     low_pass_order: Literal[1, 2] | None = None
-    """1, or 2 for a Butterworth filter such as those of PX4 and ArduPilot; by default as the log
-    has it, else 1."""
+    """1, or 2 for a Butterworth filter such as those of PX4 and ArduPilot; by default as in the
+    log, or 1."""
     device_low_pass: Rate | None = None
-    """Corner of the device's own low-pass of first order, before that of an autopilot; by default
-    ``bandwidth`` of the scenario's sensor where ``low_pass`` is of second order."""
+    """Corner of the device's own first-order low-pass, before that of an autopilot; by default
+    ``bandwidth`` of the scenario's sensor if ``low_pass`` is of second order."""
 
     @model_validator(mode="before")
     @classmethod
@@ -94,7 +94,8 @@ class AccelerometerFit(InertialChannel):
     scale: Annotated[float, Unit("", above=0.0)] | None = None
     """Standard deviation of its factor, the same for all axes and impacts; by default exact."""
     misalignment: Annotated[float, Unit("rad", above=0.0)] | None = None
-    """Standard deviation of each component of a small turn against the body; by default exact."""
+    """Standard deviation of each component of a small rotation from the body's axes; by default
+    exact."""
 
 
 class GyroscopeFit(InertialChannel):
@@ -114,11 +115,11 @@ class MotionCaptureFit(Settings):
     noise: Annotated[float, Unit("m", above=0.0)] | None = None
     """Standard deviation of each axis of a position; by default estimated before touch."""
     attitude_noise: Annotated[float, Unit("rad", above=0.0)] | None = None
-    """The same of a small rotation vector."""
+    """The same for a small rotation vector."""
     smoothing: Rate | None = None
-    """Corner of the program's zero-phase Butterworth filter of second order each way."""
+    """Corner of the program's zero-phase Butterworth filter, of second order each way."""
     offset: Annotated[float, Unit("m", above=0.0)] = 0.02
-    """Doubt of its origin against the scenario's obstacles, each axis (chosen)."""
+    """Uncertainty of its origin relative to the scenario's obstacles, each axis (chosen)."""
 
 
 class ArmLengthFit(Settings):
@@ -128,26 +129,26 @@ class ArmLengthFit(Settings):
     """Arm of each column of the log, counted from 1 as in ``vehicle.arms.directions``; by default
     the columns are in that order."""
     noise: Annotated[float, Unit("m", above=0.0)] | None = None
-    """Standard deviation of a sample; by default as the scenario's Hall sensors have it."""
+    """Standard deviation of a sample; by default that of the scenario's Hall sensors."""
     shortest: Annotated[float, Unit("m", above=0.0)] | None = None
-    """Least length that they can tell, as in the log; an arm there may be shorter."""
+    """Least length that they can measure, as in the log; an arm that reads it may be shorter."""
     longest: Annotated[float, Unit("m", above=0.0)] | None = None
-    """Largest length that they can tell; an arm there may be longer."""
+    """Largest length that they can measure; an arm that reads it may be longer."""
 
 
 class FitSensors(Settings):
-    """What stands between the motion and the logs, beyond what these tell."""
+    """What stands between the motion and the logs, beyond what the logs say."""
 
     accelerometer: AccelerometerFit = AccelerometerFit()
     """The one with the fastest samples."""
     gyroscope: GyroscopeFit = GyroscopeFit()
-    """The one beside it."""
+    """The one in the same inertial unit."""
     motion_capture: MotionCaptureFit = MotionCaptureFit()
-    """Positions and attitudes of the body, in a file of their own if there is one."""
+    """Positions and attitudes of the body, from a file of their own if there is one."""
     arm_length: ArmLengthFit = ArmLengthFit()
     """Lengths of the arms, as changes from before touch."""
     place: tuple[Any, Any, Any] | None = None
-    """Of the inertial unit from the main body's centre of mass, body axes; by default that of
+    """Position of the inertial unit from the main body's centre of mass, body axes; by default
     ``sensors.imu.offset`` of the scenario."""
 
     @field_validator("place")
@@ -157,19 +158,20 @@ class FitSensors(Settings):
 
 
 class ClockFit(Settings):
-    """Clocks of other devices against that of the inertial unit."""
+    """Clocks of other devices relative to that of the inertial unit."""
 
     offset: Annotated[float, Unit("s")] | None = None
-    """Added to theirs; by default found from the turns that both saw."""
+    """Time added to theirs; by default found from the rotations that both measured."""
     uncertainty: Duration = 2e-3
-    """Its standard deviation (chosen: what a correlation of turns leaves)."""
+    """Its standard deviation (chosen: what a correlation of rotations leaves)."""
 
 
 class StartFit(Settings):
-    """Uncertainty of the state at the start of the window about what the log's tracks tell."""
+    """Uncertainty of the state at the start of the window, about what the log's tracks say."""
 
     position: Annotated[float, Unit("m", above=0.0)] = 0.02
-    """Standard deviation of each axis (chosen); three times as much without a track, all four."""
+    """Standard deviation of each axis (chosen); three times as much without a track, as are the
+    next three."""
     velocity: Annotated[float, Unit("m/s", above=0.0)] = 0.2
     """Standard deviation of each axis (chosen)."""
     attitude: Annotated[float, Unit("rad", above=0.0)] = 0.06
@@ -177,9 +179,8 @@ class StartFit(Settings):
     angular_velocity: Annotated[float, Unit("rad/s", above=0.0)] = 0.5
     """Standard deviation of each axis (chosen)."""
     height: Annotated[float, Unit("m", above=0.0)] = 0.01
-    """Standard deviation of the height of a drop, where no track tells the fall (chosen): the
-    height itself is that of the scenario's start, and the others are then not three times as
-    much."""
+    """Standard deviation of the height of a drop, if no track recorded the fall (chosen): the
+    height itself is that of the scenario's start; the others are then not three times as much."""
 
 
 class WindowFit(Settings):
@@ -188,7 +189,7 @@ class WindowFit(Settings):
     before: Duration = 0.3
     """Time before touch."""
     after: Duration | None = None
-    """Time after release; by default three times the contact, and 0.15 s at least."""
+    """Time after release; by default three times the contact time, and at least 0.15 s."""
 
 
 class LoggedFlight(Settings):
@@ -201,14 +202,14 @@ class LoggedFlight(Settings):
     body: str | None = None
     """Body axes of poses: flu, frd, rfu, y-up."""
     track: str | None = None
-    """Name of the vehicle among the bodies of a motion capture; by default the one that turns as
-    the gyroscope says."""
+    """Name of the vehicle among the bodies that motion capture tracked; by default the one that
+    turns as the gyroscope says."""
     first: Annotated[float, Unit("s")] | None = None
-    """First instant that is read."""
+    """First instant to read."""
     last: Annotated[float, Unit("s")] | None = None
-    """Last instant that is read."""
+    """Last instant to read."""
     at: tuple[Annotated[float, Unit("s")], ...] = ()
-    """Instants of the touches to be fitted, to 50 ms; by default all that are found."""
+    """Instants of the touches to fit, to within 50 ms; by default all that are found."""
     change: tuple[str, ...] = ()
     """Overrides of the scenario for this flight, such as ``start.velocity.0=2``."""
 
@@ -231,28 +232,28 @@ class CandidateSettings(Settings):
     """
 
     speeds: tuple[Annotated[float, Unit("m/s", above=0.0)], ...] = (1.0, 2.0, 3.5)
-    """At touch, along the scenario's ``start.velocity``."""
+    """Speeds at touch, along the scenario's ``start.velocity``."""
     pitches: tuple[Annotated[float, Unit("rad")], ...] = (0.0, 0.2617993877991494)
-    """Of the start, nose down; none on a slider.  Of drops beside that of the scenario."""
+    """Pitch of the start, nose down; none on a slider.  For drops, besides the start's."""
     yaws: tuple[Annotated[float, Unit("rad")], ...] = (0.0, 0.7853981633974483)
-    """Of the start; none on a slider."""
+    """Yaw of the start; none on a slider."""
     heights: tuple[Length, ...] = (0.3, 0.7, 1.5)
-    """Of drops, from the start to touch, along the slider if there is one."""
+    """Heights of drops, from the start to touch, along the slider if there is one."""
     rolls: tuple[Annotated[float, Unit("rad")], ...] = (0.0, 0.7853981633974483)
-    """Of drops, beside that of the scenario's ``start``; none on a slider."""
+    """Roll of drops, in addition to that of the scenario's ``start``; none on a slider."""
     others: tuple[OtherExperiment, ...] = ()
     """Further tests, by overrides of the scenario."""
     sensors: tuple[SensorName, ...] = ("imu", "motion-capture")
-    """Those that record, as the scenario's ``sensors`` are."""
+    """Sensors that record, with the settings of the scenario's ``sensors``."""
     count: Annotated[int, Field(ge=1, le=20, strict=True)] = 3
-    """Tests to be chosen, one after another."""
+    """Number of tests to choose, one after another."""
 
 
 LawName = Literal["hunt-crossley", "hertz", "kelvin-voigt", "constant-restitution"]
 
 
 class OtherModel(Settings):
-    """A model to compare with that of the plan."""
+    """A model to compare with the plan's."""
 
     name: Name
     change: tuple[str, ...] = ()
@@ -262,13 +263,13 @@ class OtherModel(Settings):
 
 
 class ComparisonFit(Settings):
-    """Models that are compared by how well each predicts impacts that it was not fitted to."""
+    """Models to compare by how well each predicts impacts that it was not fitted to."""
 
     laws: tuple[LawName, ...] = ()
-    """Laws of the obstacle's surface; each begins as stiff and as lossy as the plan's was fitted,
-    and has its own numbers free within a factor of 5 (a restitution of 1.5)."""
+    """Laws of the obstacle's surface; each begins as stiff and as lossy as the plan's fitted law,
+    and its own numbers are free within a factor of 5 (1.5 for a restitution)."""
     obstacle: Annotated[int, Field(ge=0, strict=True)] = 0
-    """Number of the obstacle that has the law."""
+    """Number of the obstacle whose law is compared."""
     others: tuple[OtherModel, ...] = ()
     """Further models, by overrides of the scenario."""
 
@@ -278,23 +279,23 @@ class FitPlan(Settings):
 
     name: Name = "fit"
     scenario: str
-    """Path of the scenario: vehicle, obstacle hit, sensors; its start is where logs tell none."""
+    """Path of the scenario: vehicle, obstacle hit, sensors; and start, where logs give none."""
     flights: tuple[LoggedFlight, ...] = ()
-    """Recorded flights; ``logs`` in their place are those of a single one."""
+    """Recorded flights; ``logs`` may be given instead, for a single flight."""
     experiment: Literal["flight", "drop"] = "flight"
-    """``drop``: impacts from above count, which are landings in a flight."""
+    """``drop``: impacts from above count; in a ``flight`` they are taken for landings."""
     free: dict[str, str]
     """Fields to be fitted, each with its uncertainty: ``factor 5``, ``+- 20 %``, ``+- 5 deg``,
     ``5 N/mm factor 3``."""
     known: dict[str, str] = Field(default_factory=dict)
-    """Fields that are known to some uncertainty, as ``1.88 kg +- 0.5 %``; ``exact`` for none.
+    """Fields known to some uncertainty, such as ``1.88 kg +- 0.5 %``; ``exact`` if there is none.
 
     By default the mass of the body is known to 0.5 %, its moments of inertia to 5 % each, the mass
     of arms to 5 %, and the direction of each to 1 degree; ``vehicle.arms.directions`` and
     ``vehicle.body.inertia`` stand for all of theirs.
     """
     sensors: FitSensors = FitSensors()
-    """What the sensors do to the motion, where the logs do not tell."""
+    """What the sensors do to the motion, where the logs do not say."""
     clocks: ClockFit = ClockFit()
     """Clocks of devices besides the inertial unit."""
     start: StartFit = StartFit()
@@ -306,16 +307,16 @@ class FitPlan(Settings):
     candidates: CandidateSettings = CandidateSettings()
     """Tests that could be flown next."""
     compare: ComparisonFit = ComparisonFit()
-    """Laws, or other models, that are compared by predictions of impacts left out."""
+    """Laws, or other models, to compare by their predictions of impacts left out."""
     scatter: Literal["impact", "none"] = "impact"
     """``impact``: what is fitted may differ from impact to impact; ``none``: it may not."""
     method: Literal["laplace", "emcee"] = "laplace"
-    """Of the draws in ``posterior.parquet``: by the normal approximation at the optimum, or by
-    Monte Carlo (extra ``mcmc``), where a posterior is bent or cut off; that takes minutes."""
+    """How ``posterior.parquet`` is drawn: by the normal approximation at the optimum, or by Monte
+    Carlo (extra ``mcmc``) if the posterior is curved or cut off; that takes minutes."""
     starts: Annotated[int, Field(ge=1, le=64, strict=True)] = 8
-    """Starts of the search, of a Sobol' sequence."""
+    """Number of starts of the search, from a Sobol' sequence."""
     seed: Annotated[int, Field(ge=0, strict=True)] = 0
-    """Of the scrambling of the starts, and of draws of the posterior."""
+    """Seed of the scrambling of the starts, and of draws from the posterior."""
 
     @model_validator(mode="before")
     @classmethod

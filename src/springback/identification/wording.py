@@ -165,7 +165,7 @@ def _not_learned(one: FieldEstimate, fits: Sequence[ImpactFit]) -> list[str]:
     if impact.of(ARM_LENGTH) is None and ".arms." in one.unknown.name:
         reasons.append("no sensors of arm lengths were given")
     if not reasons:
-        reasons.append("this impact hardly depends on it; springback identify plan tells of others")
+        reasons.append("this impact hardly depends on it; springback identify plan finds others")
     problem = fit.problem
     told = [
         field_sensitivities(problem.unknowns, one.jacobian, problem.count)[place] for one in fits
@@ -202,17 +202,19 @@ def _scatter_sentences(fits: Sequence[ImpactFit], estimates: Sequence[FieldEstim
         if told.heterogeneity < DIFFERENT:
             found.append(
                 f"{name} differs from impact to impact, by {size:.2g} {unit} (p = "
-                f"{told.heterogeneity:.1g}): pooling as if it did not would tell an interval of "
-                f"{196.0 * told.common_deviation * scale:.2g}{' %' if percent else ''} and be wrong"
+                f"{told.heterogeneity:.1g}): pooling as if it did not would give an interval of "
+                f"{196.0 * told.common_deviation * scale:.2g}{' %' if percent else ''}, wrongly"
             )
         width = max(told.high - told.low, 1e-12) / 4.0
         shifts = [abs(value - told.value) / width for value in told.without]
         if max(shifts) > WEIGHTY:
             which = fits[int(np.argmax(shifts))].name
-            found.append(f"{name} hangs on one impact, {which}: see the table without each")
+            found.append(
+                f"{name} depends on one impact, {which}: see the table of values without each"
+            )
     if len(fits) == 1:
         found.append(
-            "one impact says nothing of the scatter from impact to impact: fit three or more"
+            "one impact says nothing about the scatter from impact to impact: fit three or more"
         )
     return found
 
@@ -244,8 +246,8 @@ def _inherited(fits: Sequence[ImpactFit], estimates: Sequence[FieldEstimate]) ->
     heirs = _of_mass(estimates, names, matrix)
     if heirs:
         found.append(
-            f"of {', '.join(heirs)} only the ratio to mass is seen: the uncertainty of mass is in "
-            "each"
+            f"of {', '.join(heirs)} only the ratio to mass is measured: each contains the "
+            "uncertainty of mass"
         )
     return found
 

@@ -36,11 +36,11 @@ UNIT_LENGTH = 1e-4
 
 
 class UserShape(Settings):
-    """An obstacle of the user's own: a shape in a Python file, and its surface."""
+    """An obstacle of your own: a shape in a Python file, and its surface."""
 
     type: Literal["own"]
     name: Name = ""
-    """For messages and drawings."""
+    """Name for messages and drawings."""
     shape: CodeName
     """``FILE.py:NAME`` of a shape, or of its type or a function, called with ``parameters``."""
     parameters: Arguments = Field(default_factory=dict)
@@ -86,32 +86,32 @@ class Start(Settings):
     """State at time 0.  Euler angles are ZYX; positive pitch is nose down."""
 
     position: Annotated[Triple, Unit("m")] = (0.0, 0.0, 1.0)
-    """Of the main body, less ``offset``; a run-up without a ``start`` of its own begins here."""
+    """Position of the main body, without ``offset``; run-ups without a ``start`` begin here."""
     offset: Annotated[Triple, Unit("m")] = (0.0, 0.0, 0.0)
-    """Displacement of the vehicle from ``position``, which no reference follows, as by scatter."""
+    """Displacement from ``position``, such as scatter; references do not follow it."""
     velocity: Annotated[Triple, Unit("m/s")] = (0.0, 0.0, 0.0)
     roll: Angle = 0.0
     pitch: Angle = 0.0
     yaw: Angle = 0.0
     quaternion: Annotated[Quadruple, Unit("")] | None = None
-    """Attitude in place of roll, pitch and yaw: w, x, y, z (Hamilton), body to world.
+    """Attitude instead of roll, pitch and yaw: w, x, y, z (Hamilton), body to world.
 
     It is normalised; its length must be 1 to within 1e-4, the rounding of four decimals.
     """
     angular_velocity: Annotated[Triple, Unit("rad/s")] = (0.0, 0.0, 0.0)
     shell_spin: Annotated[Triple, Unit("rad/s")] = (0.0, 0.0, 0.0)
-    """Angular velocity of a sphere in a gimbal, or of a ring about its axis, body axes; as
+    """Angular velocity of a sphere in a gimbal, or of a ring about its axis, body axes; like
     ``angular_velocity``, relative to the world.
     """
     compression: Annotated[PerArm, Unit("m")] = 0.0
-    """Of the arms, along the paths of their ends; one for all, or one for each."""
+    """Compression of the arms, along the paths of their ends; one for all, or one for each."""
     second_compression: Annotated[PerArm, Unit("m")] = 0.0
-    """The same of the second joints of arms on two, along the paths on these alone."""
+    """The same for the second joints of arms on two joints, along the paths on these alone."""
     touch_distance: Annotated[float, Unit("m", least=0.0)] | None = None
-    """Distance from the start to the first touch, along ``velocity``; 0: it begins in touch.
+    """Distance from the start to the first touch, along ``velocity``; 0: it begins at touch.
 
     The vehicle is moved from ``position`` along its velocity without turning: ahead to the first
-    obstacle, or back if ``position`` is inside one; and back by this distance.
+    obstacle, or back if ``position`` is inside one; then back by this distance.
     """
 
     @model_validator(mode="after")
@@ -153,7 +153,7 @@ class Start(Settings):
 
 
 class ModelSettings(Settings):
-    """Choice of models, those of the paper and others."""
+    """Choice between the models of the paper and others."""
 
     contact_point: Literal["ring", "paper"] = "ring"
     """`ring`: exact support point of the tilted cage circle.  `paper`: eq. (13)."""
@@ -162,10 +162,10 @@ class ModelSettings(Settings):
     slider: Annotated[Triple, Unit("")] | None = None
     """World axis of a slider that constrains the vehicle, as on the testbed; none: free flight."""
     slider_friction: Annotated[float, Unit("N", least=0.0)] = 0.0
-    """Dry friction F of the slider's rail, −F v/√(v² + v_s²) whatever presses on it: what a spring
-    scale shows that pulls the vehicle along slowly.  Viscous drag is ``air.rotor_drag``."""
+    """Dry friction F of the slider's rail, −F v/√(v² + v_s²) whatever presses on it: the reading of
+    a spring scale that pulls the vehicle along slowly.  Viscous drag is ``air.rotor_drag``."""
     slider_slip_speed: Annotated[float, Unit("m/s", above=0.0)] = 0.03
-    """v_s, speed along the rail below which that friction is regularised, as of surfaces."""
+    """v_s, speed along the rail below which that friction is regularised, as for surfaces."""
 
     @model_validator(mode="after")
     def _rail_is_there(self) -> ModelSettings:
@@ -179,8 +179,8 @@ class Payload(Settings):
 
     mass: Annotated[float, Unit("kg", least=0.0)] = 0.0
     inertia: Annotated[Triple, Unit("kg m^2")] = (0.0, 0.0, 0.0)
-    """Its own moments about its centre of mass, body axes; zero for a point mass, else those that a
-    body of its mass can have within three times the reach of the vehicle."""
+    """Its own moments of inertia about its centre of mass, body axes; zero for a point mass, or
+    moments that a body of its mass can have within three times the reach of the vehicle."""
     position: Annotated[Triple, Unit("m")] = (0.0, 0.0, 0.0)
     """Its centre of mass in body axes; only the main body's centre of mass is possible."""
 
@@ -204,10 +204,10 @@ class Payload(Settings):
 
 
 class ModelError(Settings):
-    """True over nominal numbers of the whole vehicle; `vehicle` is the nominal one."""
+    """Ratios of true to nominal numbers of the whole vehicle; `vehicle` is the nominal one."""
 
     mass: Annotated[float, Unit("", above=0.0)] = 1.0
-    """Factor for the mass; the difference is in the main body, the arms are nominal."""
+    """Factor for the mass; the difference is in the main body, and the arms are nominal."""
     inertia: Annotated[float, Unit("", above=0.0)] = 1.0
     """Factor for the inertia about the main body with the arms at their free length."""
 
@@ -216,7 +216,7 @@ class SimulationSettings(Settings):
     """Duration and steps.  The defaults come from studies/convergence.py."""
 
     duration: Duration = 0.5
-    """6 s if the reference is a run-up: time for that, the impact and the recovery."""
+    """Duration; 6 s if the reference is a run-up, for that, the impact and the recovery."""
     free_step: Duration = 1e-3
     impact_step: Duration = 1e-4
     settle_step: Duration | None = None
@@ -228,7 +228,7 @@ class SimulationSettings(Settings):
     dwell: Duration = 0.02
     """Contacts closer together than this are one impact."""
     record_interval: Annotated[float, Unit("s", least=0.0)] = 0.0
-    """Of each interval of this length the trajectory keeps the first step, and the last of the
+    """The trajectory keeps the first step of each interval of this length, and the last of the
     flight; 0: every step.  Measures and events are those of all steps in any case."""
 
 
@@ -276,9 +276,9 @@ class ThrustSettings(Settings):
     """Thrusts over time without a pilot: linear between the instants, constant outside of them."""
 
     time: Annotated[tuple[float, ...], BeforeValidator(_thrust_instants)]
-    """Instants, in order [s]; one that is given twice is a jump."""
+    """Instants, in order [s]; an instant that is given twice is a jump."""
     values: Annotated[tuple[tuple[float, ...], ...], BeforeValidator(_thrust_rows)]
-    """For each instant the thrust of each rotor [N]."""
+    """The thrust of each rotor at each instant [N]."""
 
     @model_validator(mode="after")
     def _rows_for_instants(self) -> ThrustSettings:
@@ -309,16 +309,16 @@ class VehicleTables(Settings):
     ``thrust1``, ``thrust2``, … [N]; others are not read.
     """
     pilot: NamedCode | None = None
-    """``FILE.py:NAME`` of a pilot of your own, which flies instead of the paper's; as a table with
-    ``code`` and ``parameters`` it is a function that returns one."""
+    """``FILE.py:NAME`` of a pilot of your own, which flies instead of the paper's; a table with
+    ``code`` and ``parameters`` names a function that returns one."""
     reference: ReferenceSettings | None = None
     """Reference for a pilot; none: the rotors give a constant thrust."""
     control: ControlSettings = ControlSettings()
     recovery: RecoverySettings | None = None
-    """Detection of collisions and the response to them; none: the pilot ignores them."""
+    """Detection of collisions and the response to them; without it the pilot ignores them."""
     estimator: EstimatorSettings = EstimatorSettings()
     sensors: SensorSettings = SensorSettings()
-    """Sensors.  Without a pilot their readings are recorded if this table is given, even empty."""
+    """Sensors.  Without a pilot, they are recorded if this table is given, even if it is empty."""
     air: AirSettings = AirSettings()
     payload: Payload = Payload()
     model_error: ModelError = ModelError()
@@ -343,7 +343,7 @@ class VehicleTables(Settings):
 
 
 class SecondVehicle(VehicleTables):
-    """A second vehicle in the world of a scenario, which the first one can strike.
+    """A second vehicle in the world of a scenario, which the first one can hit.
 
     Obstacles, gravity, clock, duration and steps are those of the scenario.
     """
@@ -352,8 +352,8 @@ class SecondVehicle(VehicleTables):
     seed: Annotated[int, Field(ge=0, strict=True)] | None = None
     """Seed of its noise; by default drawn from that of the scenario."""
     surface: SurfaceSettings | None = None
-    """Of the contact between both vehicles; by default that of two cages of the preset ``wall`` in
-    series, with its friction."""
+    """Surface of the contact between the two vehicles; by default that of two cages of the preset
+    ``wall`` in series, with its friction."""
 
 
 class ScenarioTables(VehicleTables):
@@ -362,13 +362,13 @@ class ScenarioTables(VehicleTables):
     name: Name = "flight"
     world: WorldSettings = WorldSettings()
     clock: Annotated[float, Unit("1/s", above=0.0)] = 1000.0
-    """Ticks per second of all on-board devices [Hz]."""
+    """Clock rate of all on-board devices [Hz]."""
     seed: Annotated[int, Field(ge=0, strict=True)] = 0
     """Seed of the noise."""
     simulation: SimulationSettings = SimulationSettings()
     second: SecondVehicle | None = None
-    """A second vehicle in this world, with its own pilot or without; or the path of a scenario file
-    whose vehicle it is, changed by further keys beside ``preset``."""
+    """A second vehicle in this world, with or without a pilot of its own; or the path of a scenario
+    file whose vehicle it is.  In a table, ``preset`` is that path, and further keys change it."""
 
     @property
     def is_upright(self) -> bool:

@@ -185,7 +185,7 @@ def _unsteered(vehicle: Vehicle) -> list[str]:
     return [
         f"the {len(arms)} rotors cannot give lift, roll, pitch and yaw each by itself: "
         "yaw is left without command, and the vehicle spins as their torques make it; give it more "
-        "rotors, or others than upright ones at the ends of arms (vehicle.rotors)"
+        "rotors, or rotors other than upright ones at the ends of arms (vehicle.rotors)"
     ]
 
 
@@ -215,7 +215,7 @@ def _turned_away(scenario: ScenarioTables) -> list[str]:
     held = math.degrees(run_up.yaw)
     return [
         f"start.yaw is {math.degrees(yaw):.3g} deg, and the run-up turns the vehicle to {held:.3g} "
-        "deg on its way: give reference.yaw the same to meet the wall so"
+        "deg on its way: set reference.yaw to the same angle to meet the wall at it"
     ]
 
 

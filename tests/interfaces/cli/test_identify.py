@@ -250,7 +250,7 @@ def test_check_writes_its_table_and_replaces_nothing_without_force(
     words = ["identify", "check", str(plan), "--sets", "10", "--out", str(out)]
     done = CliRunner().invoke(cli, words, catch_exceptions=False)
     assert done.exit_code == 0
-    assert "vehicle.arms.stiffness: 90.0 % have the truth" in done.stdout
+    assert "vehicle.arms.stiffness: 90.0 % contain the truth" in done.stdout
     assert "written to" in done.stderr
     data = json.loads((out / "check.json").read_text())
     assert (data["sets"], data["alarms"], data["fields"][0]["share"]) == (10, 1, 0.9)

@@ -75,7 +75,9 @@ def test_a_campaign_says_how_long_its_first_flights_have_taken() -> None:
     for step in range(431, 600):
         now = step * LOOK
         lines.look()
-    assert said[0][1].endswith("; new kinds of flight are compiled first, for a minute or more")
+    assert said[0][1].endswith(
+        "; new kinds of flight are compiled first, which takes a minute or more"
+    )
     assert [at for at, _ in said] == [0.0, 61.0, 121.0, 181.0, 241.0, 301.0, 361.0, 421.0]
     assert said[-1][1] == (
         "0 of 300 flights (0.0 %), 0 parts; compiling, and flying the first part, for 7 min 01 s "

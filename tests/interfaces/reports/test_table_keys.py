@@ -34,8 +34,8 @@ def test_a_table_is_printed_with_unit_range_default_and_meaning() -> None:
     assert [line.key for line in start.keys] == [one.key for one in fields_of(Start).values()]
     text = table_text(start)
     assert (
-        "  position (m, three; within ±1e+06, default [0, 0, 1])\n      Of the main body, less offset;"
-        in text
+        "  position (m, three; within ±1e+06, default [0, 0, 1])\n"
+        "      Position of the main body, without offset;" in text
     )
     assert (
         "  touch_distance (m; ≥ 0, ≤ 1e+06)\n      Distance from the start to the first touch"

@@ -109,7 +109,7 @@ def test_a_flight_and_its_check_name_the_deepest_pair() -> None:
     ours, theirs = scenario_warnings(scenario)
     assert ours.startswith(
         "vehicle.hulls[0], the ring on arm 1, and vehicle.hulls[2], the ring on arm 2, are 47.2 mm "
-        "in each other at rest, and 1 more pairs overlap: "
+        "inside each other at rest, and 1 more pairs overlap: "
     )
     assert theirs == f"second: {ours}"
 

@@ -30,7 +30,7 @@ _KEYS = ("material", "guard")
 
 
 class GuardSettings(Settings):
-    """What meets an obstacle, of one material: its stiffness is derived from its shape."""
+    """What meets an obstacle, made of one material: its stiffness is derived from its shape."""
 
     material: str
     """Name of a material whose modulus is known."""
@@ -54,7 +54,7 @@ class RingGuard(GuardOfRod):
 
     type: Literal["ring"]
     radius: Length
-    """Of the ring, to the middle of the rod."""
+    """Radius of the ring, to the middle of the rod."""
 
     def of(self, young: float, poisson: float) -> float:
         """Stiffness for a modulus [Pa] and Poisson's ratio [N/m]."""
@@ -66,7 +66,7 @@ class CantileverGuard(GuardOfRod):
 
     type: Literal["cantilever"]
     length: Length
-    """From the clamp to the free end."""
+    """Length from the clamp to the free end."""
 
     def of(self, young: float, poisson: float) -> float:
         """Stiffness for a modulus [Pa] and Poisson's ratio [N/m]."""
@@ -78,9 +78,9 @@ class ShellGuard(GuardSettings):
 
     type: Literal["shell"]
     thickness: Length
-    """Of the shell; of a lattice that of an equivalent shell."""
+    """Thickness of the shell; for a lattice, that of an equivalent shell."""
     radius: Length
-    """Of the sphere."""
+    """Radius of the sphere."""
 
     def of(self, young: float, poisson: float) -> float:
         """Stiffness for a modulus [Pa] and Poisson's ratio [N/m]."""
@@ -88,13 +88,13 @@ class ShellGuard(GuardSettings):
 
 
 class PadGuard(GuardSettings):
-    """A pad that is pressed on its whole face."""
+    """A pad that is pressed over its whole face."""
 
     type: Literal["pad"]
     area: Annotated[float, Unit("m^2", above=0.0)]
-    """Of the face."""
+    """Area of the face."""
     thickness: Length
-    """Of the pad."""
+    """Thickness of the pad."""
 
     def of(self, young: float, poisson: float) -> float:
         """Stiffness for a modulus [Pa] and Poisson's ratio [N/m]."""
@@ -102,11 +102,11 @@ class PadGuard(GuardSettings):
 
 
 class SphereGuard(GuardSettings):
-    """A massive sphere, by Hertz."""
+    """A solid sphere, by Hertz."""
 
     type: Literal["sphere"]
     radius: Length
-    """Of the sphere where it touches."""
+    """Radius of the sphere where it touches."""
 
     def of(self, young: float, poisson: float) -> float:
         """Stiffness for a modulus [Pa] and Poisson's ratio [N/m^1.5]."""

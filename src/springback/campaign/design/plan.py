@@ -66,7 +66,7 @@ class Normal(Settings):
 
 
 class FactorLaw(Spaced):
-    """Distribution of a factor of the scenario's own value."""
+    """Distribution of a factor that multiplies the scenario's own value."""
 
     deviation: Annotated[float, Unit("", above=0.0)] | None = None
     """Standard deviation of the factor's logarithm: 5 % gives factors of about 0.95 to 1.05."""
@@ -97,11 +97,11 @@ class Vary(Spaced):
     """Spacing of levels."""
     spacing: Literal["linear", "logarithmic"] = "linear"
     values: tuple[Any, ...] | None = None
-    """List of levels: numbers, names of surfaces, true and false."""
+    """List of levels: numbers, names of surfaces, or true and false."""
     normal: Normal | None = None
     factor: FactorLaw | None = None
     source: str | None = None
-    """Where the range is from, told with the results."""
+    """Where the range comes from, shown with the results."""
 
     @model_validator(mode="after")
     def _one_way(self) -> Vary:
@@ -165,7 +165,7 @@ SPRINGBACK = "springback"
 
 
 class PlanPilot(Settings):
-    """A pilot of a plan: springback's, or code of the user's own with parameters.
+    """A pilot of a plan: springback's, or your own code with parameters.
 
     Its name alone, ``"FILE.py:NAME"`` or ``"springback"``, stands for a table.
     """
@@ -175,7 +175,7 @@ class PlanPilot(Settings):
     parameters: Arguments = Field(default_factory=dict)
     """Arguments of that function, in SI."""
     name: Name | None = None
-    """In the names of robots; by default ``NAME`` and the parameters."""
+    """Name of the pilot in the names of robots; by default ``NAME`` and the parameters."""
 
     @model_validator(mode="before")
     @classmethod
@@ -219,9 +219,9 @@ class Keep(Settings):
 
     where: Annotated[str | tuple[str, ...], BeforeValidator(_conditions)]
     """Condition on the columns of a row: a text is SQL; a list has conditions in words, as for
-    ``success``, which must all hold; ``success`` and ``not success`` are such words here."""
+    ``success``, which must all hold.  ``success`` and ``not success`` are conditions here, too."""
     most: Annotated[int, Field(ge=1, le=100_000, strict=True)] = 20
-    """Largest number of flights, the first that satisfy it."""
+    """Largest number of flights; the first that satisfy the condition are kept."""
 
 
 class Plan(Settings):
@@ -238,19 +238,20 @@ class Plan(Settings):
     scenario: dict[str, Any] | str
     """Scenario without variations: tables, or the path of a scenario file."""
     overlay: str | None = None
-    """Path of values to lay over it, such as ``identified.toml`` of a fit."""
+    """Path of values to overlay on it, such as ``identified.toml`` of a fit."""
     robots: tuple[str, ...] = ()
-    """Presets, `vehicles`, or vehicle files for the scenario's vehicle; by default its own."""
+    """Presets, names in `vehicles`, or vehicle files, each in place of the scenario's vehicle; by
+    default that alone."""
     vehicles: dict[Name, dict[str, Any]] = {}  # noqa: RUF012  # pydantic copies it
-    """The user's own vehicles by name, in place of files."""
+    """Your own vehicles by name, in place of files."""
     pilots: tuple[PlanPilot, ...] = ()
     """Pilots that fly each robot, in place of the scenario's: ``"springback"``, ``"FILE.py:NAME"``
     or tables; by default the scenario's own."""
     method: Method
     samples: Count | None = None
-    """Number of samples; for a grid its number of points, which must not be given."""
+    """Number of samples; must not be given for a grid, whose number of points it is."""
     repeats: Count = 1
-    """Flights of each sample and robot, with different sensor noise and scatter."""
+    """Flights with each sample and robot, with different sensor noise and scatter."""
     vary: tuple[Vary, ...] = ()
     posterior: Posterior | None = None
     """Path of a posterior, such as ``posterior.parquet`` of a fit, or a table: a whole row of its
@@ -258,9 +259,9 @@ class Plan(Settings):
     scatter: ScatterSettings | None = None
     success: Annotated[str | tuple[str, ...] | None, BeforeValidator(_conditions)] = None
     """Condition of success on the columns of a row: a text is SQL; a list has conditions in words,
-    such as ``arm_stroke < 20 mm``, which must all hold.  By default that the robot recovered or,
-    without recovery, neither touched the ground, nor used up a stroke, nor diverged; nor, with a
-    pilot of your own, failed to come to rest after a collision."""
+    such as ``arm_stroke < 20 mm``, which must all hold.  By default the robot must have recovered
+    or, without recovery, must not have touched the ground, used up a stroke or diverged; and, with
+    a pilot of your own, it must have come to rest after a collision."""
     keep: Keep | None = None
 
     @model_validator(mode="before")

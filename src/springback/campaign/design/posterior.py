@@ -39,11 +39,11 @@ class Posterior(Settings):
     file: str | None = None
     """Parquet file with a column for each field, relative to the plan."""
     fields: tuple[str, ...] = ()
-    """Those of its fields that are drawn; by default all."""
+    """Fields in it that are drawn; by default all."""
     draws: dict[str, tuple[float, ...]] = Field(default_factory=dict)
-    """Values of each field in place of a file [SI], all of one length."""
+    """Values of each field, instead of a file [SI], the same number of each."""
     units: dict[str, str] = Field(default_factory=dict)
-    """SI unit of each field, as the file has it."""
+    """SI unit of each field, as in the file."""
 
     @model_validator(mode="before")
     @classmethod

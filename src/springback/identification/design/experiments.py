@@ -107,7 +107,7 @@ class ExperimentPlan(NamedTuple):
         k = int(np.argmax(ratio))
         field = self.fields[k]
         if ratio[k] < HELPS:
-            return "no candidate tells more than is known: fly others (candidates.others)"
+            return "no candidate tells more than is known already: fly others (candidates.others)"
         return (
             f"next best: {best.name}: {field.name} from ± {width_text(field, self.before[k])} to "
             f"± {width_text(field, best.half_widths[k])}"

@@ -270,9 +270,9 @@ def replay(
     )
     told.append(_thrust_words(scenario, tables, thrusts))
     if impact.is_drop:
-        told.append("a drop: impacts from above count, and its bounces do not")
+        told.append("a drop: impacts from above count, and bounces do not")
     if _has_pilot(tables):
-        told.append("the scenario's pilot is left out: flown open loop")
+        told.append("the scenario's pilot is left out: the replay is open loop")
     part = part._replace(
         start=_on_slider(scenario, start.guess), thrust=None if thrusts is None else thrusts.table
     )
@@ -284,7 +284,9 @@ def replay(
     if thrusts is None and scenario.model.slider is None and any(
         not is_share(channel) for one in recordings for channel in one.of(ROTOR_COMMAND)
     ):  # fmt: skip
-        warnings.append("the logged commands are no shares of the largest thrust, and not used")
+        warnings.append(
+            "the logged commands are not shares of the largest thrust, and are not used"
+        )
     warnings += _gaps(part, impact, found, recordings)
     problem = ImpactProblem(plan, scenario, tables, [], part)
     flown = Replay(problem, tables, impact, start, told, warnings)
@@ -308,7 +310,7 @@ def _align(flown: Replay) -> None:
         flown.fly()
     flown.told.append(
         f"start moved by {1e3 * float(np.linalg.norm(moved)):.1f} mm "
-        f"{'ahead' if moved @ velocity > 0.0 else 'back'} along its velocity, for the touch to be "
+        f"{'ahead' if moved @ velocity > 0.0 else 'back'} along its velocity so that touch is "
         "when the log says"
     )
 

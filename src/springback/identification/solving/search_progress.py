@@ -65,7 +65,7 @@ class SearchProgress:
 
         def watch(turn: int, left: int) -> None:
             done = max(1.0 - left / starts, turn / most)
-            self.say(f"{of}, round {turn} of {most} at most, {left} not done", SEARCHED * done)
+            self.say(f"{of}, round {turn} of {most} at most, {left} not finished", SEARCHED * done)
 
         return watch
 

@@ -127,7 +127,10 @@ def _read_off_table(rows: Sequence[ErrorRow]) -> list[str]:
             unit, factor = _unit(row.unit)
             numbers = [f"{factor * value:.4g}" for value in (row.recorded, row.predicted)]
             table.append([f"{row.what} [{unit}]", *numbers, _cell(row, factor)])
-    marks = f"{MARK} beyond twice the uncertainty: of the samples, the start, clocks and biases"
+    marks = (
+        f"{MARK} beyond twice the uncertainty, which is that of the samples, the start, the clocks "
+        "and the biases"
+    )
     return [*(_columns(table) if len(table) > 1 else []), marks]
 
 

@@ -22,7 +22,7 @@ from springback.interfaces.cli.common import PATH, Output, output_options
 @click.option("--to", "end", type=float, help="Last instant, relative to first touch [s].")
 @click.option("--fps", type=float, default=25.0, show_default=True, help="Frames per second.")
 @click.option("--size", metavar="WxH", help="Width and height [px], such as 760x540.")
-@output_options("The film: .gif, .webp or .mp4.", "force", "quiet")
+@output_options("File of the film: .gif, .webp or .mp4.", "force", "quiet")
 def animate(
     results: tuple[Path, ...],
     slow: float,
@@ -34,7 +34,7 @@ def animate(
 ) -> None:
     """Make a film of a RESULT, a folder that springback fly wrote, or of two side by side.
 
-    Impacts are in slow motion. Two flights are synchronised at their first touches.
+    Impacts are shown in slow motion. Two flights are synchronised at their first touches.
 
     \b
     springback fly collision.toml --out arq

@@ -36,19 +36,19 @@ if TYPE_CHECKING:
 )
 @click.option(
     "--with", "overlay", type=ScenarioPath(), metavar="OVERLAY",
-    help="Lay the values of an identified.toml over the scenario.",
+    help="Overlay the values of an identified.toml on the scenario.",
 )  # fmt: skip
-@click.option("--resume", is_flag=True, help="Continue the campaign in the folder.")
-@click.option("--dry-run", is_flag=True, help="Fly a few, and estimate time and disk space of all.")
-@click.option("--workers", type=int, help="Number of processes; by default that of the cores.")
+@click.option("--resume", is_flag=True, help="Continue the campaign in --out.")
+@click.option("--dry-run", is_flag=True, help="Fly a few; estimate time and disk space of all.")
+@click.option("--workers", type=int, help="Number of processes; by default one per core.")
 @click.option("--chunk", type=int, help="Flights stored together; by default at most 2000.")
 @click.option("--scheduler", metavar="ADDRESS", help="Fly on a Dask cluster, at tls://HOST:8786.")
-@click.option("--tls-ca", type=PATH, help="Certificate of the cluster's authority.")
-@click.option("--tls-cert", type=PATH, help="Own certificate.")
-@click.option("--tls-key", type=PATH, help="Private key of the own certificate.")
+@click.option("--tls-ca", type=PATH, help="Certificate of the cluster's CA.")
+@click.option("--tls-cert", type=PATH, help="Your own certificate.")
+@click.option("--tls-key", type=PATH, help="Private key of that certificate.")
 @click.option(
     "--device", type=click.Choice(["cpu", "gpu"]), default="cpu", show_default=True,
-    help="Device of the flights; gpu is an NVIDIA GPU of this machine.",
+    help="Device to fly on; gpu is an NVIDIA GPU in this machine.",
 )  # fmt: skip
 @output_options("Folder for the rows of one campaign.", "as_json", "quiet", required=False)
 def campaign(
@@ -70,7 +70,7 @@ def campaign(
 
     Rows are written to Parquet files as flights are completed. Ctrl-C, a crash or a full disk
     loses only unfinished chunks: the same command with --resume continues. The rows are the same,
-    bit for bit, for all numbers of workers, chunk sizes and machines.
+    bit for bit, whatever the number of workers, the chunk size and the machine.
 
     \b
     springback campaign plan.toml --dry-run
@@ -242,7 +242,7 @@ def _print_cost(design: Any, workers: int | None, output: Output) -> None:
     "Write a file instead: .parquet, .csv, .json or .md.", "force", "quiet", required=False
 )
 def query(folder: Path, sql: str | None, form: str, output: Output) -> None:
-    """Query the campaign in FOLDER in SQL; the table is called flights.
+    """Query the campaign in FOLDER with SQL; the table is called flights.
 
     Without SQL all columns are listed, with units and meanings. Names with dots need double
     quotes. Values of events that did not happen, such as a touch, are NULL.
@@ -345,24 +345,26 @@ def refly(folder: Path, row: int, output: Output) -> None:
 )  # fmt: skip
 @click.option(
     "--limit", "limits", multiple=True, metavar="WORDS",
-    help='Which values of --by keep it in the worst case: "impact_peak_acceleration < 300 m/s^2".',
+    help="Limit that values of --by must keep in the worst case, such as "
+    '"impact_peak_acceleration < 300 m/s^2".',
 )  # fmt: skip
 @click.option(
     "--by", "fields", multiple=True, metavar="FIELD",
-    help="Field, or two with a comma, of the limits; without --limit outcomes and measures by its "
-    "levels; also outcome or first_obstacle, what was touched first.",
+    help="Field whose values --limit asks about, or two separated by a comma. Without --limit: "
+    "outcomes and measures for each of its levels; outcome and first_obstacle, what was touched "
+    "first, are allowed, too.",
 )  # fmt: skip
 @click.option(
     "--share", type=float,
-    help="Share of flights that must keep the limits, by default all, 1: 0.95 forgives one in 20.",
+    help="Share of flights that must keep the limits; by default 1, all; 0.95 forgives one in 20.",
 )  # fmt: skip
 @click.option(
     "--where", "conditions", multiple=True, metavar="WORDS",
-    help='Count only flights with it, such as "speed < 4 m/s" or "surface = wall".',
+    help='Count only flights that meet a condition, such as "speed < 4 m/s" or "surface = wall".',
 )  # fmt: skip
 @click.option(
     "--cells", type=click.IntRange(2, 64),
-    help="Cells along each field of maps and limits; by default as many as flights allow.",
+    help="Cells along each field in maps and limits; by default as many as the flights allow.",
 )  # fmt: skip
 @click.option("--scatter", is_flag=True, help="Show success over the scattered parameters, too.")
 @output_options("Folder for summary.html, summary.json and figures.", required=False)
@@ -381,12 +383,13 @@ def summary(
     """Summarise the campaign in FOLDER: success, outcomes, quantiles, comparison of robots.
 
     Shares have Wilson intervals. Robots flew the same samples with the same noise, so they are
-    compared in pairs; so are surfaces, pilots and other levels of words where they share samples,
-    or the other fields of a grid. An unfinished campaign can be summarised, too. A measure is any
-    column of numbers that springback query FOLDER lists.
+    compared in pairs; so are surfaces, pilots and other fields whose values are words, where they
+    share samples, or the other fields of a grid. An unfinished campaign can be summarised, too. A
+    measure is any numeric column that springback query FOLDER lists.
 
-    --limit, several times if wanted, asks which values of a field keep limits whatever the other
-    fields are. Limits and conditions are in words, as success in a plan: not arm_bottomed.
+    --limit, which may be repeated, asks which values of a field keep the limits whatever the other
+    fields are. Limits and conditions are written in words, like success in a plan: not
+    arm_bottomed.
 
     \b
     springback summary results

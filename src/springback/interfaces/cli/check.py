@@ -24,24 +24,25 @@ if TYPE_CHECKING:
 )
 @terminal_options("as_json", "quiet")
 def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
-    """Check a scenario, a plan, or code of your own, before it is flown for long.
+    """Check a scenario, a plan, or code of your own before you fly it at length.
 
-    A scenario, a plan or the file of a vehicle is refused for all that a flight would refuse it
-    for. Numbers that follow from it are printed: mass, share of the thrust in hover, natural
+    A scenario, a plan or a vehicle file is refused for everything that a flight would refuse it
+    for. Numbers that follow from it are printed: mass, share of the thrust used in hover, natural
     frequency and damping ratio of the arms, the speed that uses up their stroke, gaps between
     cages; and warnings.
 
-    A pilot is tested for properties that every pilot should have: at rest at the start of the
+    A pilot is tested for properties that every pilot should have: from rest at the start of the
     SCENARIO (by default quad at [0, 0, 1] m) it must hover. The exit code is 1 if one fails.
-    KEY=VALUE are arguments of a function that returns one.
+    KEY=VALUE are arguments of a function that returns a pilot.
 
-    The distance and the normal of an obstacle are sampled wherever its surface is, looked for from
-    the start of the SCENARIO (by default [0, 0, 1] m), from all sides, inside and outside: a
-    distance that is overstated, that does not grow by 1 m a metre or is no number, a normal that is
-    not 1 long or not the gradient. NAME is a shape, or its type with KEY=VALUE for its fields.
+    The distance and the normal of an obstacle are sampled wherever its surface is found, searching
+    from the start of the SCENARIO (by default [0, 0, 1] m) and from all sides, inside and outside.
+    What counts as wrong: a distance that is overstated, does not grow by 1 m per metre or is not a
+    number, and a normal that does not have length 1 or is not the gradient. NAME is a shape, or its
+    type with KEY=VALUE for its fields.
 
     An estimator or a detector flies the SCENARIO within springback's pilot: by default quad hovers
-    by the estimates, which must be near the truth, or flies into a wall at 2 m/s, which the
+    on the estimates, which must be near the truth, or flies into a wall at 2 m/s, which the
     detector must notice. KEY=VALUE are arguments of a function that returns one.
 
     \b
@@ -94,7 +95,7 @@ def _check_fit(path: Path, overrides: Sequence[str], terminal: Terminal) -> None
 # -- scenarios and plans --------------------------------------------------------------------------
 
 _CHECKING = (
-    "checking; code of your own is compiled first, and grids of new meshes and maps are made"
+    "checking; your own code is compiled first, and grids of new meshes and maps are computed"
 )
 
 

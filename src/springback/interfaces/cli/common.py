@@ -22,8 +22,8 @@ from springback.interfaces.output.progress_lines import ProgressLines
 
 Command = Callable[..., None]
 FIRST = (
-    "flying; a new kind of flight is compiled first, for 10 s (with a pilot for 20 s to a "
-    "minute, with moving obstacles for up to two, with a second vehicle up to four)"
+    "flying; a new kind of flight is compiled first, which takes 10 s (20 s to a minute with a "
+    "pilot, up to two minutes with moving obstacles, up to four with a second vehicle)"
 )
 """Label of the spinner while a flight is flown."""
 PATIENCE = 1.0
@@ -197,16 +197,20 @@ FLAGS = {
     "no_figures": click.option("--no-figures", is_flag=True, help="Write no figures."),
     "force": click.option("--force", is_flag=True, help="Replace existing results."),
     "as_json": click.option("--json", "as_json", is_flag=True, help="Print the result as JSON."),
-    "quiet": click.option("--quiet", "-q", is_flag=True, help="No progress, no remarks."),
+    "quiet": click.option("--quiet", "-q", is_flag=True, help="Show no progress and no remarks."),
 }
 """Options of many commands in the order of their help, by the field that they set."""
 seed_option = click.option(
-    "--seed", type=click.IntRange(0), default=0, show_default=True, help="Of all random numbers."
+    "--seed",
+    type=click.IntRange(0),
+    default=0,
+    show_default=True,
+    help="Seed of all random numbers.",
 )
 
 robots_option = click.option(
     "--robot", "robots", multiple=True, default=("arq", "quad"), show_default=True,
-    help="Vehicle preset, or file with a vehicle; may be repeated.",
+    help="Vehicle preset, or vehicle file; may be repeated.",
     shell_complete=complete_vehicle,
 )  # fmt: skip
 

@@ -11,10 +11,14 @@ from springback.interfaces.cli.common import Output, output_options, robots_opti
 @click.argument("x", default="speed=1:5:9", metavar="[X=FROM:TO:COUNT]")
 @click.argument("y", required=False, metavar="[Y=FROM:TO:COUNT]")
 @robots_option
-@click.option("--trials", type=int, default=10, show_default=True, help="Flights of each cell.")
-@click.option("--seed", type=int, default=0, show_default=True, help="Of all random numbers.")
+@click.option("--trials", type=int, default=10, show_default=True, help="Flights in each cell.")
+@click.option("--seed", type=int, default=0, show_default=True, help="Seed of all random numbers.")
 @click.option(
-    "--set", "settings", multiple=True, metavar="KEY=VALUE", help="Setting of all trials."
+    "--set",
+    "settings",
+    multiple=True,
+    metavar="KEY=VALUE",
+    help="Setting for all trials; may be repeated.",
 )
 @click.option("--dry-run", is_flag=True, help="Only estimate the number of flights and the time.")
 @output_options("Folder for map.html, .json, .csv, .png, .pdf.", required=False)
@@ -31,8 +35,8 @@ def map_command(
     """Map how often robots recover from a collision, over two parameters.
 
     speed and pitch are those at contact; any other parameter is a number that a campaign can vary:
-    the dotted path of a number in the scenario, friction, "wall angle". By default speed from 1 to
-    5 m/s over pitch from -60 to 60 deg, positive nose down.
+    the dotted path of a number in the scenario, friction, "wall angle". By default speed runs from
+    1 to 5 m/s and pitch from -60 to 60 deg, positive nose down.
 
     \b
     springback map --out map

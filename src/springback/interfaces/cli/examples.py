@@ -139,12 +139,12 @@ TEMPLATES = {
 
 #: Questions about a vehicle, in their order, and the help of their options.
 ABOUT_A_VEHICLE = {
-    "mass": "Of a vehicle, ready to fly: 600g.",
-    "arms": "Arms of a vehicle, each with a propeller: 4, 6, 8, 10 or 12.",
+    "mass": "Mass of the vehicle, ready to fly: 600g.",
+    "arms": "Number of arms, each with a propeller: 4, 6, 8, 10 or 12.",
     "propeller": "Diameter of a propeller: 5in.",
     "guard": "Radius of the guard around each propeller: 70mm; or none.",
-    "spring": 'Way that an arm gives in at a wall: "25mm at 2m/s"; or none.',
-    "span": "Between opposite propellers, axis to axis: 300mm.",
+    "spring": 'How far an arm gives way at a wall: "25mm at 2m/s"; or none.',
+    "span": "Distance between opposite propellers, axis to axis: 300mm.",
 }
 #: Wrong answers to a question after which no more are asked (chosen).
 MOST_WRONG = 3
@@ -160,27 +160,27 @@ def _vehicle_options(command: Command) -> Command:
 @click.command()
 @click.argument("kind", type=click.Choice(list(TEMPLATES)))
 @click.argument("name", required=False)
-@click.option("--compiled", is_flag=True, help="A pilot that is compiled.")
+@click.option("--compiled", is_flag=True, help="Write a pilot that is compiled.")
 @_vehicle_options
-@click.option("--template", is_flag=True, help="A vehicle with every key, without questions.")
-@click.option("--out", type=PATH, metavar="FILE", help="File to write; by default NAME, here.")
+@click.option("--template", is_flag=True, help="Write a vehicle with every key; ask nothing.")
+@click.option("--out", type=PATH, metavar="FILE", help="File to write; by default NAME.")
 @terminal_options("force", "quiet")
 def new(
     kind: str, name: str | None, compiled: bool, template: bool, out: Path | None, force: bool,
     terminal: Terminal, **answers: str | None,
 ) -> None:  # fmt: skip
-    """Write a commented file that works at once, to start from: a vehicle, a pilot, ...
+    """Write a commented, working file to start from: a vehicle, a pilot, ...
 
     \b
-    vehicle    a scenario with a [vehicle]. At a terminal, or with some of the options --mass to
-               --span, it is one of these answers, and comments say what was given, what is derived
-               from it and what is chosen; else, or with --template, four compliant arms: every key
-               with unit and range, and where to get it
-    pilot      a pilot in plain Python, or --compiled, and a scenario for it
-    estimator  an estimator for springback's pilot, and a scenario that hovers by it
-    detector   a detector of collisions for it, and a scenario that flies into a wall
+    vehicle    a scenario with a [vehicle]. At a terminal, or with any of the options --mass to
+               --span, the vehicle follows from your answers, and comments say what was given, what
+               is derived from it and what is chosen; otherwise, or with --template, it has four
+               compliant arms and every key, with its unit, its range and how to find its value
+    pilot      a pilot in plain Python, or a compiled one (--compiled), and a scenario for it
+    estimator  an estimator for springback's pilot, and a scenario that hovers on its estimates
+    detector   a collision detector for springback's pilot, and a scenario that flies into a wall
     obstacle   a shape in Python, and a scenario that flies into it
-    campaign   a plan, here a design study, and a scenario with a vehicle for it
+    campaign   a plan, here of a design study, and a scenario with a vehicle for it
 
     \b
     springback new vehicle hexa --mass 600g --arms 6 --propeller 5in
@@ -247,7 +247,7 @@ def _vehicle_of_answers(name: str, given: Mapping[str, str], *, asks: bool) -> s
 
     known: dict[str, VehicleAnswer] = {}
     if asks and len(given) < len(QUESTIONS):
-        say("Numbers with a unit; Enter takes what is in brackets.")
+        say("Give numbers with a unit; Enter takes the answer in brackets.")
     for key in QUESTIONS:
         if key in given or not asks:
             known[key] = answer_to(key, given.get(key), known)

@@ -34,7 +34,7 @@ _OPTIONS = {"first": "from", "last": "until", "no_check": "no-check"}
     "overlay",
     type=ScenarioPath(),
     metavar="OVERLAY",
-    help="Lay the values of an identified.toml over the scenario.",
+    help="Overlay the values of an identified.toml on the scenario.",
 )
 @click.option(
     "--against",
@@ -42,30 +42,30 @@ _OPTIONS = {"first": "from", "last": "until", "no_check": "no-check"}
     type=PATH,
     multiple=True,
     metavar="LOG",
-    help="Replay a recorded impact: start and thrusts are the log's. Repeat it for several logs of "
-    "one flight.",
+    help="Replay a recorded impact, with start and thrusts from the log. May be repeated for "
+    "several logs of one flight.",
 )
 @click.option(
     "--impact",
     type=float,
     metavar="SECONDS",
-    help="Touch in the log, to 50 ms; by default the first that can be used.",
+    help="Time of the touch in the log, to within 50 ms; by default the first usable one.",
 )
 @click.option(
     "--before",
     type=float,
     metavar="SECONDS",
-    help="Begin of the replay, before touch; by default 0.1.",
+    help="How long before touch the replay begins; by default 0.1.",
 )
 @click.option(
     "--rotors",
     metavar="NUMBERS",
-    help="Logged rotor of each of the vehicle's, such as 1,3,2,4.",
+    help="For each rotor of the vehicle, its number in the log, such as 1,3,2,4.",
 )
 @click.option(
     "--align",
     is_flag=True,
-    help="Move the start along its velocity, for touch to be when the log says.",
+    help="Move the start along its velocity so that touch is when the log says.",
 )
 @log_options  # fmt: skip
 @track_option
@@ -111,7 +111,8 @@ def fly(
         if value:
             raise InputError(f"--{_OPTIONS.get(name, name)}: needs --against")
     own = read_pilot(pilot) if pilot else None
-    with output.spinner("reading; grids of new meshes and maps are made") as tell, telling(tell):
+    label = "reading; grids of new meshes and maps are computed"
+    with output.spinner(label) as tell, telling(tell):
         ready = read_scenario(scenario, overrides, pilot=own is not None)
     with output.folder(FLIGHT_FILES) as folder:
         for sentence in scenario_warnings(ready, own=own is not None or ready.pilot is not None):

@@ -21,10 +21,10 @@ def lab(
     """Open the impact lab: a page with sliders for vehicles, springs, surfaces and speeds.
 
     Every change flies the collision and redraws it: animation, acceleration, arms, energy,
-    outcome. The address contains the settings; the scenario can be downloaded. It is served to
-    this machine only, unless --host is given, and writes no files.
+    outcome. The address contains the settings; the scenario can be downloaded. The lab is served
+    to this machine only, unless --host is given, and writes no files.
 
-    With a SCENARIO it opens with your vehicle, walls and start, any value overridden.
+    With a SCENARIO it opens with your vehicle, walls and start; any value can be overridden.
 
     \b
     springback lab

@@ -23,9 +23,9 @@ from springback.version import __version__
 def reproduce(part: str, readings: tuple[str, ...], output: Output) -> None:
     """Reproduce the paper: a report with its numbers and ours.
 
-    `slider` is Table III, the deflections and contact times, and the speed sweep; `flight` is Table
-    I, sizes, payload and hover time, and Table IV, steps and circles; `resilience` is collisions in
-    flight, seven conditions with ten trials of both robots, and ten collisions in a row.
+    slider is Table III, the deflections and contact times, and the speed sweep; flight is Table I
+    (sizes, payload and hover time) and Table IV (steps and circles); resilience is collisions in
+    flight: ten trials of both robots under each of seven conditions, and ten collisions in a row.
     """
     from springback.extras import needs
 

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 def show(preset: str | None, keys: bool, terminal: Terminal) -> None:
     """Show a vehicle, surface, estimator or material PRESET with its sources; or all of them.
 
-    With --keys a table of a scenario in place of PRESET: unit, range, default, meaning of each key.
+    With --keys, PRESET is a table of a scenario: unit, range, default and meaning of each key.
 
     \b
     springback show arq
@@ -126,8 +126,8 @@ def _show_keys(path: str, terminal: Terminal) -> None:
     "--compile",
     "compiles",
     is_flag=True,
-    help="Compile ahead the kernels of scenario files and of flights of vehicles among shapes, or "
-    "of the common kinds of flight.",
+    help="Compile ahead of time the kernels that scenario files need, or flights of vehicles among "
+    "shapes; with neither, those of the common kinds of flight.",
 )
 @click.argument("flights", nargs=-1, metavar="[FILE|VEHICLE]...")
 @terminal_options("as_json", "quiet")
@@ -170,8 +170,8 @@ def _compile(flights: tuple[str, ...], terminal: Terminal) -> None:
             raise InputError(f"{word}: is neither a file nor a vehicle of the library; {hint}")
     chosen = named or COMMON
     terminal.note(
-        f"compiling {len(chosen)} kinds of flight, each alone and in campaigns, where they are not "
-        f"in the cache: some {TYPICAL[False]:.0f} s of processor time each"
+        f"compiling {len(chosen)} kinds of flight, each alone and in campaigns, unless they are in "
+        f"the cache: about {TYPICAL[False]:.0f} s of processor time each"
     )
     times: dict[str, float] = {}
     for done in compile_ahead(chosen):
@@ -180,7 +180,7 @@ def _compile(flights: tuple[str, ...], terminal: Terminal) -> None:
             terminal.note(f"{done.name}: {done.seconds:.0f} s ({len(times)} of {2 * len(chosen)})")
     data = {"folder": str(cache_folder()), "seconds": times}
     new = sum(1 for seconds in times.values() if seconds > 0.0)
-    kept = "" if new == len(times) else f", {len(times) - new} of them from before"
+    kept = "" if new == len(times) else f", {len(times) - new} of them already compiled before"
     terminal.print(data, f"kernels of {len(times)} kinds of flight are in {cache_folder()}{kept}")
 
 
@@ -195,12 +195,12 @@ SHOWN = (
 _OPTIONS = (
     click.argument("file", type=PATH),
     click.option("--search", multiple=True, type=PATH,
-                 help="Folder with what FILE includes, beside its own; may be repeated."),
+                 help="Further folder to search for what FILE includes; may be repeated."),
     click.option("--surface", default="wall", show_default=True,
                  help="Preset of the surface of all elements."),
     click.option("--surface-of", "surfaces", multiple=True, metavar="PATTERN=PRESET",
-                 help="Surface of elements whose names fit, such as 'shelf*=mat'."),
-    click.option("--bounds", is_flag=True, help="Make walls of the bounds of RotorPy's worlds."),
+                 help="Surface of elements whose names match, such as 'shelf*=mat'."),
+    click.option("--bounds", is_flag=True, help="Turn the bounds of RotorPy's worlds into walls."),
 )  # fmt: skip
 
 
@@ -212,10 +212,10 @@ def _world_options(command: Callable[..., None]) -> Callable[..., None]:
 
 @click.group()
 def world() -> None:
-    """Worlds of other programs: what is in a file, and the same as obstacles in TOML.
+    """Worlds of other programs: show what is in a file, or write it as obstacles in TOML.
 
-    FILE is a world or model in SDF (Gazebo), MJCF (MuJoCo), URDF, a world of RotorPy (.json), an
-    OctoMap (.bt, .ot), a mesh, a height map or an occupancy grid. A scenario imports it by an
+    FILE is a world or model in SDF (Gazebo), MJCF (MuJoCo) or URDF, a world of RotorPy (.json), an
+    OctoMap (.bt, .ot), a mesh, a height map or an occupancy grid. A scenario imports it with an
     obstacle of type import.
     """
 
@@ -251,7 +251,7 @@ def show_world(
 @_world_options
 @click.option("--out", type=PATH, required=True, help="File of obstacles in TOML to write.")
 @click.option("--missing", type=click.Choice(["warn", "refuse"]), default="warn",
-              show_default=True, help="If something cannot be represented.")  # fmt: skip
+              show_default=True, help="What to do if something cannot be represented.")  # fmt: skip
 @terminal_options("force", "quiet")
 def convert(
     file: Path, search: tuple[Path, ...], surface: str, surfaces: tuple[str, ...], bounds: bool,
@@ -259,7 +259,7 @@ def convert(
 ) -> None:  # fmt: skip
     """Write FILE as obstacles of a scenario in TOML, each with its name as a comment.
 
-    An OctoMap can be written as an occupancy grid, too, if the file of --out ends in .npz.
+    An OctoMap can also be written as an occupancy grid: give --out a file that ends in .npz.
 
     \b
     springback world convert warehouse.sdf --out obstacles.toml --surface-of 'shelf*=mat'

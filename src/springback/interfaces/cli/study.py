@@ -48,14 +48,15 @@ def _durations(text: str) -> tuple[float, ...]:
 @study.command()
 @trials_option(10)
 @seed_option
-@click.option("--no-ranges", is_flag=True, help="Only the ablation and its pairs.")
+@click.option("--no-ranges", is_flag=True, help="Fly only the ablation and its pairs.")
 @output_options("Folder for why.json, why.csv, figures.")
 def why(trials: int, seed: int, no_ranges: bool, output: Output) -> None:
     """Change one assumption at a time, then two, and count the tests that each robot survives.
 
-    It is a question about the paper's two robots, and flies no other. Compliance, clipping,
-    estimator, limits, delays, friction, contact point, recovery; pairs of changes at 3.5 m/s; then
-    the ranges of parameters that the paper does not print in which the printed result holds.
+    The question is about the paper's two robots, and no others are flown. Assumptions are
+    compliance, clipping, estimator, limits, delays, friction, contact point and recovery; pairs are
+    changed at 3.5 m/s. Last come parameters that the paper does not print: the ranges of them in
+    which the printed result holds.
     """
     from springback.interfaces.reports.study_files import write_study
     from springback.studies.ablation import RANGES, why_sentences
@@ -88,19 +89,19 @@ def why(trials: int, seed: int, no_ranges: bool, output: Output) -> None:
 
 
 @study.command()
-@trials_option(100, "Trials of each condition.")
+@trials_option(100, "Trials under each condition.")
 @click.option(
     "--durations", default="9,11,14", show_default=True, metavar="S,S,...",
-    help="Durations of a trial [s].",
+    help="Durations of a trial to compare [s].",
 )  # fmt: skip
 @seed_option
 @output_options("Folder for choices.json, CSV, figures.")
 def choices(trials: int, durations: str, seed: int, output: Output) -> None:
     """Recompute the resilience table with each set of choices that the paper leaves open.
 
-    It compares with the paper's table, and so flies the paper's two robots only. Friction along
-    e_Z or along both tangents, springback's estimator or the noise that PX4's EKF2
-    assumes, and the duration of a trial: which set gives most of the printed table?
+    The results are compared with the paper's table, so only the paper's two robots are flown. The
+    choices are friction along e_Z or along both tangents, springback's estimator or the noise that
+    PX4's EKF2 assumes, and the duration of a trial: which set gives most of the printed table?
     """
     from springback.interfaces.reports.study_files import write_study
     from springback.paper.choices import choices_data, choices_sentences, fly_choices
@@ -108,7 +109,7 @@ def choices(trials: int, durations: str, seed: int, output: Output) -> None:
 
     times, figures = _durations(durations), output.wants_figures()
     with output.folder() as folder:
-        output.note("thousands of flights; minutes, and more if kernels must be compiled")
+        output.note("thousands of flights: minutes, or longer if kernels must be compiled")
         with output.progress_bar("sets of choices") as show:
             results = fly_choices(trials, durations=times, seed=seed, progress=show)
         with output.progress_bar("velocity lost to clipping") as show:
@@ -170,7 +171,11 @@ def friction(robots: tuple[str, ...], trials: int, speed: float, seed: int, outp
 @study.command()
 @robots_option
 @click.option(
-    "--flights", type=click.IntRange(1, 1000), default=4, show_default=True, help="Of each test."
+    "--flights",
+    type=click.IntRange(1, 1000),
+    default=4,
+    show_default=True,
+    help="Flights of each test.",
 )
 @click.option(
     "--free", type=click.FloatRange(50.0, 1e5), default=1000.0, show_default=True,
@@ -216,15 +221,15 @@ def detection(
 @robots_option
 @click.option(
     "--flights", type=click.IntRange(1, 1000), default=10, show_default=True,
-    help="Of each robot, shape, speed and setting.",
+    help="Flights with each robot, shape, speed and setting.",
 )  # fmt: skip
 @seed_option
 @output_options("Folder for shapes.json, CSV.")
 def shapes(robots: tuple[str, ...], flights: int, seed: int, output: Output) -> None:
-    """Study what robots make of poles, edges, balls and leaning walls.
+    """Study how robots judge poles, edges, balls and leaning walls that they hit.
 
     Errors of the normal and of the contact point that a robot estimates, relative to the truth, at
-    1, 2 and 3.5 m/s: with obstacles taken for upright faces, as its default is, and without.
+    1, 2 and 3.5 m/s: with obstacles taken for upright faces, which is the default, and without.
 
     \b
     springback study shapes --out shapes
@@ -250,7 +255,7 @@ def shapes(robots: tuple[str, ...], flights: int, seed: int, output: Output) -> 
 
 @study.command()
 @click.argument("folder", type=click.Path(path_type=Path))
-@click.option("--frozen", is_flag=True, help="Take the published numbers instead of fitting.")
+@click.option("--frozen", is_flag=True, help="Use the published numbers instead of fitting.")
 @output_options("Folder for impacts.json, CSV, figure.")
 def impacts(folder: Path, frozen: bool, output: Output) -> None:
     """Predict recorded impacts of an ellipse on a floor, beside six models stored with them.

@@ -12,7 +12,7 @@ import click
 from springback.errors import InputError
 from springback.interfaces.cli.common import FIRST, PATH, Terminal, say, terminal_options
 
-READING = "reading the flight, evaluating its contact forces again, and drawing it"
+READING = "reading the flight, computing its contact forces again, and drawing it"
 """Label of the spinner where all results are folders of flights: nothing is flown."""
 #: Most digits of a word that is read as the number of a row.
 MOST_DIGITS = 18
@@ -30,7 +30,7 @@ MOST_DIGITS = 18
 )
 @click.option(
     "--host", default="127.0.0.1", show_default=True,
-    help="Address to serve on; others than the default are public.",
+    help="Address to serve on; any but the default makes the page public.",
 )  # fmt: skip
 @click.option("--no-browser", is_flag=True, help="Open no browser.")
 @click.option("--force", is_flag=True, help="Replace the exported page.")

@@ -234,8 +234,8 @@ def pierced_lines(campaign: Campaign) -> list[str]:
     if more := found[MOST_TOLD:]:
         count = sum(one.flights for one in more)
         lines.append(
-            f"{count} more flights came deeper than forces on the thin obstacle hold that they "
-            f"touched first, one of {len(more)} others"
+            f"{count} more flights came deeper into the thin obstacle that they touched first, one "
+            f"of {len(more)} others, than forces on it are valid"
         )
     if found[0].first:
         lines[-1] += "; flights that met a thin obstacle after another one are not counted"
@@ -250,8 +250,8 @@ def doubt_lines(campaign: Campaign, name: str) -> list[str]:
         name: Name of the measure's column.
     """
     return [
-        f"the largest {name} of {robot} is not to be trusted: flight {flight} came deeper than "
-        "forces on the thin obstacle hold that it met first"
+        f"the largest {name} of {robot} is not to be trusted: flight {flight} came deeper "
+        "into the thin obstacle that it met first than forces on it are valid"
         for robot, flight in largest_in_doubt(campaign, name).items()
     ]
 
@@ -269,8 +269,8 @@ def _pierced(one: ThinFlights) -> str:
     deep, known = f"{1e3 * one.deepest:.3g} mm deep", one.obstacle.sentence
     if not one.first:
         return (
-            f"{flights} came up to {deep}, and {known}; those that met it are not to be trusted "
-            f"({one.condition})"
+            f"{flights} came up to {deep}, and {known}; those that touched it are "
+            f"not to be trusted ({one.condition})"
         )
     return (
         f"{flights} whose first obstacle was {one.first}, came up to {deep}, and {known}; those "

@@ -121,7 +121,7 @@ class CampaignLines:
             return ""
         waited = self._clock() - self._begun
         if waited <= USUAL:
-            return "; new kinds of flight are compiled first, for a minute or more"
+            return "; new kinds of flight are compiled first, which takes a minute or more"
         from springback.campaign.running import duration_text
 
         return f"; compiling, and flying the first part, for {duration_text(waited)} so far"

@@ -52,23 +52,23 @@ class MappedChannel(Settings):
     """Columns of a table that are one channel."""
 
     name: Name
-    """As it stands in what is said of the log."""
+    """Name in everything that is printed about the log."""
     quantity: Name
-    """What it is, such as ``specific force``."""
+    """What is measured, such as ``specific force``."""
     columns: Annotated[tuple[Name, ...], Field(min_length=1, max_length=64)]
-    """Names in the first line of the table."""
+    """Names of the columns, from the first line of the table."""
     unit: Name = ""
-    """Of the columns; that of the quantity in SI if it is left out."""
+    """Unit of the columns; by default the SI unit of the quantity."""
     time: Name
-    """Column of the instants."""
+    """Column with the instants."""
     time_unit: Name = "s"
-    """Of the instants."""
+    """Unit of the instants."""
     clock: Name = "log"
     """Channels with the same word share a clock."""
     order: Literal["wxyz", "xyzw"] = "wxyz"
-    """Of a quaternion."""
+    """Order of a quaternion's components."""
     blank: Literal["absent", "lost"] = "absent"
-    """What a row without any of the columns is: no sample at that time, or one that was lost."""
+    """What a row means in which all the columns are blank: no sample then, or one that was lost."""
     estimated: bool = False
     """An estimate from several sensors, not a measurement."""
     smoothed: bool = False
@@ -77,13 +77,13 @@ class MappedChannel(Settings):
     """Largest magnitude that the sensor gives, with its unit, or in SI."""
     clipped: Annotated[tuple[Name, ...], Field(max_length=64)] = ()
     """Columns that are 1 where a sample is at the end of the range, one for each of ``columns``; by
-    default these are samples of ``full_scale``."""
+    default those samples are clipped that reach ``full_scale``."""
     average: Duration | None = None
     """Time over which each sample is the mean."""
     low_pass: Annotated[float, Unit("Hz", above=0.0)] | None = None
     """Corner of a low-pass filter."""
     low_pass_order: Literal[1, 2] | None = None
-    """Its order: 2 is a Butterworth filter, as PX4 and ArduPilot have it; by default 1."""
+    """Its order: 2 is a Butterworth filter, as in PX4 and ArduPilot; by default 1."""
 
     @field_validator("quantity")
     @classmethod

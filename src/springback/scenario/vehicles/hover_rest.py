@@ -69,7 +69,7 @@ def hover_warnings(vehicle: Vehicle, gravity: float) -> list[str]:
     return [
         f"{path}: hover thrust {words[0]} arm {worst.arm} {words[1]} this joint {place}: arms that "
         "are free then bottom out before anything is hit, and hybrid ones as soon as a hit frees "
-        "them, which is not the hit's doing; give a stiffer spring or a longer travel"
+        "them, not because of the hit; give a stiffer spring or a longer travel"
     ]
 
 

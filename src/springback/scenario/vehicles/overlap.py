@@ -83,8 +83,9 @@ def overlap_warnings(vehicle: Vehicle) -> list[str]:
     first, second, depth = found[0]
     more = f", and {len(found) - 1} more pairs overlap" if len(found) > 1 else ""
     return [
-        f"{first} and {second} are {1e3 * depth:.3g} mm in each other at rest{more}: parts of one "
-        "vehicle do not touch here; smaller guards, longer arms or other directions keep them apart"
+        f"{first} and {second} are {1e3 * depth:.3g} mm inside each other at rest{more}: parts of "
+        "one vehicle do not touch here; smaller guards, longer arms or other directions keep them "
+        "apart"
     ]
 
 

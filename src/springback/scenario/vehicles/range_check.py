@@ -207,6 +207,6 @@ def _locked_arms(vehicle: Vehicle) -> Iterator[str]:
         if (load := opening_load(arms, j)) >= most:
             yield (
                 f"vehicle.limits.{name}: arm {j + 1} does not move below {load:.3g} {unit}, by its "
-                f"preload and latch, and breaks at {most:g} {unit}: it never folds unbroken"
+                f"preload and latch, and breaks at {most:g} {unit}: it never folds without breaking"
             )
             return

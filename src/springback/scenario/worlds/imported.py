@@ -44,11 +44,11 @@ class ImportedElement(Settings):
     """An element of a file, in the frame of the file."""
 
     name: str
-    """In the file, with the names of what it is in before it."""
+    """Name in the file, after the names of whatever contains it."""
     obstacle: dict[str, Any]
     """A built-in obstacle without its surface, in SI."""
     friction: Factor | None = None
-    """Of the file."""
+    """Coefficient of friction in the file."""
 
     @model_validator(mode="after")
     def _can_be_placed(self) -> ImportedElement:
@@ -84,35 +84,35 @@ class Imported(Settings):
 
     type: Literal["import"]
     name: Name = ""
-    """For messages and drawings, before the names of its elements."""
+    """Name for messages and drawings, put before the names of its elements."""
     file: str
-    """Of the world, relative to the scenario; its suffix tells the format."""
+    """Path of the world, relative to the scenario; its suffix tells the format."""
     search: tuple[str, ...] = ()
-    """Further folders for what it includes (``model://``, ``package://``, meshes)."""
+    """Further folders to search for what it includes (``model://``, ``package://``, meshes)."""
     surface: SurfaceSettings
-    """Of all elements but those named in ``surfaces``."""
+    """Surface of all elements but those named in ``surfaces``."""
     surfaces: dict[str, SurfaceSettings] = Field(default_factory=dict)
-    """Surfaces by patterns of names, such as ``"shelf*"``; the first that fits counts."""
+    """Surfaces by pattern of name, such as ``"shelf*"``; the first that matches counts."""
     friction: Literal["file", "surface"] = "file"
-    """`file`: coefficients of friction that the file gives replace that of ``surface``."""
+    """`file`: coefficients of friction in the file replace that of ``surface``."""
     position: Place = (0.0, 0.0, 0.0)
-    """Of the origin of the file."""
+    """Position of the origin of the file."""
     yaw: Angle = 0.0
-    """Of the x axis of the file."""
+    """Yaw of the x axis of the file."""
     bounds: bool = False
     """True if the bounds of a world of RotorPy are walls."""
     missing: Literal["warn", "refuse"] = "warn"
     """What happens if the file has something that cannot be represented."""
     elements: tuple[ImportedElement, ...] = ()
-    """Content of the file, which is not read again where this is given."""
+    """Content of the file; if this is given, the file is not read again."""
     unrepresented: tuple[str, ...] = ()
-    """What the file has beside that, each as ``name: reason``."""
+    """What else the file has, each as ``name: reason``."""
     remarks: tuple[str, ...] = ()
-    """What is represented in another way than the file has it, likewise."""
+    """What is represented differently from how the file has it, likewise."""
     ignored: tuple[str, ...] = ()
     """What nothing can hit, by kind: pictures, lights, plugins."""
     content: Annotated[str, Field(pattern=r"^(|[0-9a-f]{64})$")] = ""
-    """SHA-256 of the file, which is refused if it has another content."""
+    """SHA-256 of the file, which is refused if its content is different."""
 
     @model_validator(mode="after")
     def _representable(self) -> Imported:

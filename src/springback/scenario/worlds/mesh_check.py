@@ -164,7 +164,7 @@ def tell_of_grids(given: Mapping[str, Any]) -> None:
     if words:
         more = f" and {len(words) - MOST_NAMED} more" if len(words) > MOST_NAMED else ""
         tell(
-            f"grids of distances are made unless they are kept: {'; '.join(words[:MOST_NAMED])}"
+            f"distance grids are computed unless they are cached: {'; '.join(words[:MOST_NAMED])}"
             f"{more} (a larger cell makes a grid coarser and faster)"
         )
 

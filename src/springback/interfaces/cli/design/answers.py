@@ -70,7 +70,7 @@ def _usual_span(known: dict[str, VehicleAnswer]) -> str:
 
 QUESTIONS: dict[str, Question] = {
     "mass": Question(
-        "Mass, ready to fly", "Ready to fly, such as 600g.",
+        "Mass, ready to fly", "Mass, ready to fly, such as 600g.",
         lambda known: "600 g", _number("kg", 0.02, 30.0),
     ),
     "arms": Question(
@@ -86,8 +86,8 @@ QUESTIONS: dict[str, Question] = {
         _usual_guard, _guard,
     ),
     "spring": Question(
-        "Way that an arm gives in when it hits a wall, and the speed; or none, for rigid arms",
-        'Way that an arm gives in at a wall: "25mm at 2m/s", or none.',
+        "How far an arm gives way when it hits a wall, and at what speed; or none, for rigid arms",
+        'How far an arm gives way at a wall: "25mm at 2m/s", or none.',
         lambda known: "25 mm at 2 m/s", _spring,
     ),
     "span": Question(

@@ -54,7 +54,7 @@ class VehicleAnswer(NamedTuple):
     @property
     def source(self) -> str:
         """Where the number is from, as a word for a comment."""
-        return "given" if self.is_given else "chosen, as nothing else was asked for"
+        return "given" if self.is_given else "chosen, as none was given"
 
 
 class BodyBox(NamedTuple):

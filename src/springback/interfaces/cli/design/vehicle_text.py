@@ -35,17 +35,17 @@ def vehicle_text(name: str, known: dict[str, VehicleAnswer], sizes: VehicleSizes
     """
     asked = [f"#   {key} {one.text}: {one.source}" for key, one in known.items()]
     lines = [
-        f"# A vehicle of {sizes.arms} arms flies into a wall. Asked were:",
+        f"# A vehicle with {sizes.arms} arms flies into a wall. It was made from these answers:",
         *asked,
         f"#   springback check {name}.toml",
         f"#   springback fly {name}.toml --out {name}-flight",
         "#",
-        "# Comments say where each number is from: given, derived by a formula, or chosen. Replace",
-        "# what is chosen by what you weigh and measure, most of all masses and the spring.",
+        "# Comments say where a number comes from: given, derived by a formula, or chosen. Replace",
+        "# chosen numbers with what you weigh and measure, above all masses and the spring.",
         '# Numbers are SI, or text with a unit: "0.6 kg", "3 N/mm", "45 deg". All keys:',
         "# springback new vehicle NAME --template.",
         f'name = "{name}"',
-        *_line("thrust", '"hover"', "[N] of each rotor: the weight shared"),
+        *_line("thrust", '"hover"', "[N] of each rotor: its share of the weight"),
         "",
         "[vehicle]",
         f'name = "{name}"',
@@ -86,18 +86,18 @@ def _body(known: dict[str, VehicleAnswer], s: VehicleSizes) -> list[str]:
     what = "arms are part of it" if is_rigid else "all but the ends of the arms"
     lines = [
         f"# The main body, {what}: its mass and inertia follow from its parts,",
-        "# by Steiner's theorem. Places on a vehicle are from its centre of mass: heights balance.",
+        "# by Steiner's theorem. Positions are relative to the centre of mass: heights balance.",
         *_part(
             "battery", s.battery, f"{100 * BATTERY:g} % of {known['mass'].text}, chosen",
-            "as packs of 2100 kg/m³ are, chosen", "below the plane of the arms",
+            "that of packs of 2100 kg/m³, chosen", "below the plane of the arms",
         ),
         *_part(
             "frame and arms", s.frame, f"{100 * FRAME:g} % of {known['mass'].text}, chosen",
-            f"the inertia of {s.arms} rods to 0.6 of an arm's length", "",
+            f"gives the inertia of {s.arms} rods to 0.6 of an arm's length", "",
         ),
         *_part(
             "boards and wires", s.boards, "derived: what is left of the mass",
-            "of 700 kg/m³, chosen", "derived: height times mass as of the battery",
+            "that of 700 kg/m³, chosen", "derived: height times mass as for the battery",
         ),
     ]  # fmt: skip
     if is_rigid:
@@ -114,8 +114,8 @@ def _body(known: dict[str, VehicleAnswer], s: VehicleSizes) -> list[str]:
         *lines,
         "",
         "[vehicle.hull]",
-        *_line("radius", _text(s.hull, "mm"), "derived: sphere about battery and boards, or what"
-               , "room the circles around the rotors leave"),
+        *_line("radius", _text(s.hull, "mm"), "derived: sphere around battery and boards,"
+               , "or as far as the circles around the rotors leave room"),
         "",
     ]  # fmt: skip
 
@@ -149,34 +149,38 @@ def _arms(known: dict[str, VehicleAnswer], s: VehicleSizes) -> list[str]:
         "length", _text(s.length, "mm"), f"derived: half of the span, {known['span'].text}"
     )
     if guard.value is None:
-        lines += _line("cage_radius", _text(s.circle, "mm"), "derived: of the propeller; no guard")
-        lines += _line("cages", "false", "so that the circle touches nothing, and hulls do")
+        lines += _line(
+            "cage_radius",
+            _text(s.circle, "mm"),
+            "derived: that of the propeller, as there is no guard",
+        )
+        lines += _line("cages", "false", "so that hulls touch, and the circle does not")
     else:
-        lines += _line("cage_radius", _text(s.circle, "mm"), f"{guard.source}: of the guard")
+        lines += _line("cage_radius", _text(s.circle, "mm"), f"{guard.source}: that of the guard")
     if spring is None:
         lines += _line("mass", "0.0", "derived: rigid arms are part of the body")
         lines += _line("compliant", "false", "given: no spring")
     else:
         lines += [
-            *_line("mass", _text(s.end_mass, "g"), f"of what slides: {100 * ENDS:g} % of "
-                   f"{known['mass'].text} over {s.arms},", "chosen: motor, propeller, guard"),
+            *_line("mass", _text(s.end_mass, "g"), f"of what slides, {100 * ENDS:g} % of "
+                   f"{known['mass'].text} over {s.arms}:", "motor, propeller, guard; chosen"),
             *_line("compliant", "true"),
-            "# derived: one arm stops the rest of the vehicle, m, from speed v within the way s:",
+            "# derived: one arm stops the rest of the vehicle, m, from speed v in a distance s:",
             "#   its frequency w = (v/s) exp(-z/sqrt(1 - z^2) arccos z) with the damping ratio",
             f"#   z = {DAMPING_RATIO:g} (chosen, as of arq): {ratio_of_peak():.3g} v/s of",
             f"#   v = {spring.speed:g} m/s, s = {1e3 * spring.stroke:g} mm, m = "
             f"{1e3 * s.pushed:.6g} g",
             *_line("stiffness", _text(s.stiffness, "N/mm"), "derived: m w^2"),
             *_line("damping", _text(s.damping, "N s/m"), "derived: 2 z m w"),
-            *_line("stroke", _text(s.stop, "mm"), "derived: to the stop; s is 80 % of it at most"),
+            *_line("stroke", _text(s.stop, "mm"), "derived: to the stop; s is at most 80 % of it"),
         ]  # fmt: skip
     lines += _line("torque_ratio", _text(s.torque, "mm"), f"derived: {TORQUE_SHARE:g} of the "
-                   "propeller's diameter,", "chosen: C_P/(2 pi C_T) of usual ones")  # fmt: skip
+                   "propeller's diameter,", "chosen: C_P/(2 pi C_T), as usual")  # fmt: skip
     if guard.value is None:
         for j in range(1, s.arms + 1):
             lines += [
                 "", "[[vehicle.hulls]]", 'type = "sphere"', f"on = {j}",
-                *_line("radius", _text(s.hub, "mm"), "chosen: a motor" if j == 1 else ""),
+                *_line("radius", _text(s.hub, "mm"), "chosen: that of a motor" if j == 1 else ""),
             ]  # fmt: skip
     return [*lines, ""]
 
@@ -190,11 +194,11 @@ def _propulsion(known: dict[str, VehicleAnswer], s: VehicleSizes) -> list[str]:
         *_line("max_thrust", _text(s.thrust, "N"), f"derived: {LIFT:g} times the weight over "
                f"{s.arms}, chosen;", f"the propeller gives {s.most_thrust:g} N at a tip speed of "
                f"{TIP_SPEED:g} m/s"),
-        *_line("time_constant", _text(s.lag, "ms"), "chosen: of RotorS's Hummingbird, 8 inch; of",
-               "larger propellers in proportion"),
+        *_line("time_constant", _text(s.lag, "ms"), "chosen: that of RotorS's Hummingbird, 8 inch;",
+               "for larger propellers in proportion"),
         *_line("disk_radius", _text(radius, "mm"), f"{propeller.source}: half of {propeller.text}"),
         *_line("figure_of_merit", "0.45", "chosen: 0.47 follows from Quad's printed hover time"),
-        *_line("battery_energy", _text(energy, "Wh", 3), "derived: 140 Wh/kg, of lithium polymer"),
+        *_line("battery_energy", _text(energy, "Wh", 3), "derived: 140 Wh/kg, lithium polymer"),
         *_line("electronics_power", '"5 W"', "chosen"),
         "",
     ]  # fmt: skip

@@ -33,10 +33,10 @@ LEAST = 0.9
 @click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
 @output_options("Folder for identified.toml, posterior.parquet, fit.json and the report.")
 def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
-    """Fit fields of a scenario to recorded impacts: PLAN says which, and to what uncertainty.
+    """Fit fields of a scenario to recorded impacts; PLAN names them and their uncertainty.
 
-    Values with 95 % intervals, what was not learned and why, and what does not fit.  The exit code
-    is 1 if nothing was learned.
+    It gives values with 95 % intervals, what was not learned and why, and what does not fit.  The
+    exit code is 1 if nothing was learned.
 
     \b
     springback identify fit fit.toml --out fitted
@@ -62,17 +62,17 @@ def fit(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
             result = carry_out(ready, plan.parent, progress=progress, tell=tell)
         with output.progress_bar("comparing laws") as progress:
             compared = compare_laws(result, progress=progress)
-        with output.progress_bar("drawing the posterior") as progress:
+        with output.progress_bar("drawing from the posterior") as progress:
             written = write_files(result, folder, compared, progress=progress)
         data = as_data(result, compared)
-        with output.spinner("weighing what was assumed"):
+        with output.spinner("assessing the assumptions"):
             assumed = assumptions(result.fits)
         text = fit_text(result, compared, assumed)
         if output.wants_figures():
             from springback.identification.design.experiments import plan_experiments
             from springback.interfaces.reports.fit_page import write_report
 
-            with output.progress_bar("weighing further tests") as progress:
+            with output.progress_bar("comparing further tests") as progress:
                 try:
                     further = plan_experiments(
                         ready, plan.parent, fits=result.fits, progress=progress
@@ -109,7 +109,7 @@ def fit_text(
     if result.sentences:
         lines += ["", *result.sentences]
     if assumed:
-        lines += ["", "assumed exactly:"]
+        lines += ["", "assumed to be exact:"]
         lines += [f"  {text}" for text in assumption_sentences(assumed, result.estimates)]
     if compared is not None:
         lines += ["", "laws compared:", *(f"  {text}" for text in compared.sentences)]
@@ -124,13 +124,14 @@ def fit_text(
 @click.argument("plan", type=ScenarioPath())
 @click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
 @click.option("--sets", type=click.IntRange(10, 10_000), default=200, show_default=True,
-              help="Synthetic sets.")  # fmt: skip
+              help="Number of synthetic sets of flights.")  # fmt: skip
 @output_options("Folder for check.json and check.csv.", "force", "as_json", "quiet", required=False)
 def check(plan: Path, overrides: tuple[str, ...], sets: int, output: Output) -> None:
-    """Do the intervals of a PLAN cover?  Synthetic flights through its scenario's sensors, fitted.
+    """Check that the intervals of a PLAN cover the truth, by fitting synthetic flights.
 
-    The scenario's numbers are the truth, and the plan's priors are displaced as often as they say.
-    The exit code is 1 if an interval covers less than it should.
+    The flights are seen through the scenario's sensors. The scenario's numbers are the truth, and
+    the plan's priors are off by as much, and as often, as they say. The exit code is 1 if an
+    interval covers the truth less often than it should.
 
     \b
     springback identify check fit.toml
@@ -166,14 +167,14 @@ def coverage_text(found: Coverage) -> str:
             f"{one.half_width:.2g} {one.unit}".strip()
         )  # fmt: skip
         lines.append(
-            f"  {one.name}: {100.0 * one.share:.1f} % have the truth ({100.0 * one.low:.0f} to "
+            f"  {one.name}: {100.0 * one.share:.1f} % contain the truth ({100.0 * one.low:.0f} to "
             f"{100.0 * one.high:.0f} %), half width {half}, median error {one.bias:+.2f} standard "
-            f"errors, scatter {one.spread:.2f} of what is told"
+            f"errors, scatter {one.spread:.2f} of what the intervals say"
         )
     lines.append(
-        f"  a misfit was told in {found.alarms} sets, wrongly: {found.alarms / found.sets:.1%}"
+        f"  a misfit was wrongly reported in {found.alarms} sets: {found.alarms / found.sets:.1%}"
     )
-    lines += [f"  {len(found.failed)} sets could not be fitted, as: {found.failed[0]}"
+    lines += [f"  {len(found.failed)} sets could not be fitted, such as: {found.failed[0]}"
               ] if found.failed else []  # fmt: skip
     lines.append(f"  {found.seconds / found.sets:.1f} s for each fit")
     if found.lead:
@@ -188,10 +189,10 @@ def coverage_text(found: Coverage) -> str:
 @click.argument("overrides", nargs=-1, metavar="[KEY=VALUE]...")
 @output_options("Folder for plan.json and plan.csv.", "force", "as_json", "quiet", required=False)
 def plan_tests(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
-    """Which impact to fly next for a PLAN: the tests that tell most of its free fields.
+    """Choose the impacts to fly next for a PLAN: those that tell most about its free fields.
 
-    Candidates are the plan's ``candidates``: speeds, pitches and yaws of the scenario's start, and
-    others; logs that the plan has are fitted first, and count.
+    They are chosen from the plan's candidates: speeds, pitches and yaws of the scenario's start,
+    and others. If the plan has logs, these are fitted first, and what they tell is counted.
 
     \b
     springback identify plan fit.toml
@@ -211,7 +212,7 @@ def plan_tests(plan: Path, overrides: tuple[str, ...], output: Output) -> None:
         if ready.flights:
             with naming_places(plan), output.progress_in_words("fitting") as (progress, tell):
                 fits = carry_out(ready, plan.parent, progress=progress, tell=tell).fits
-        with naming_places(plan), output.progress_bar("weighing tests") as progress:
+        with naming_places(plan), output.progress_bar("comparing tests") as progress:
             found = plan_experiments(ready, plan.parent, fits=fits, progress=progress)
         data = found._asdict() | {
             "fields": [one.name for one in found.fields], "sentence": found.sentence,
@@ -261,6 +262,6 @@ def experiments_text(found: ExperimentPlan) -> str:
         lines.append("  ".join([f"{name:{sizes[0]}}", *aligned]))
     lines += [f"cannot be flown: {name}: {why}" for name, why in found.refused]
     if found.assumed:
-        lines += ["", "assumed exactly, of all chosen tests together:"]
+        lines += ["", "assumed to be exact, and what that does to all chosen tests together:"]
         lines += [f"  {text}" for text in found.assumed]
     return "\n".join(lines)

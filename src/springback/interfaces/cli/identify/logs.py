@@ -39,9 +39,9 @@ def log_options(command: Callable[..., None]) -> Callable[..., None]:
         click.option("--world", metavar="AXES",
                      help="World axes of poses: nwu, enu, ned, z-up, y-up."),
         click.option("--until", "last", type=float, metavar="SECONDS",
-                     help="Last instant that is read, by the log's clock."),
+                     help="Last instant to read, by the log's clock."),
         click.option("--from", "first", type=float, metavar="SECONDS",
-                     help="First instant that is read, by the log's clock."),
+                     help="First instant to read, by the log's clock."),
     ):  # fmt: skip
         command = option(command)
     return command
@@ -49,14 +49,14 @@ def log_options(command: Callable[..., None]) -> Callable[..., None]:
 
 track_option = click.option(
     "--track", metavar="NAME",
-    help="The vehicle, of several bodies of a motion capture; by default the one that turns as the "
-    "gyroscope says.",
+    help="The vehicle, if motion capture tracked several bodies; by default the one that turns as "
+    "the gyroscope says.",
 )  # fmt: skip
 
 
 no_check_option = click.option(
     "--no-check", is_flag=True,
-    help="Go on, with a warning, where the data contradict their axes or order of quaternions.",
+    help="Go on, with a warning, if the data contradict their axes or their quaternion order.",
 )  # fmt: skip
 
 
@@ -91,9 +91,9 @@ def inspect(
 ) -> None:  # fmt: skip
     """Show what is in logs, and what is missing for an impact.
 
-    Channels with rates, gaps, clipped and lost samples; what the data say of their own frames and
-    units: |q| = 1, gravity along +z, rates of turn and bends of the track that agree with the
-    inertial unit, or which turn of the axes would make them.
+    Channels with rates, gaps, clipped and lost samples; what the data say about their own frames
+    and units: |q| = 1, gravity along +z, turn rates and bends of the track that agree with the
+    inertial unit, or which rotation of the axes would make them agree.
 
     \b
     springback identify inspect flight.ulg
@@ -177,7 +177,7 @@ def segment(
 )  # fmt: skip
 @click.option(
     "--as", "form", type=click.Choice(FORMATS),
-    help="Format, where the suffix does not tell: motive and vicon are .csv, too.",
+    help="Format, if the suffix does not tell: motive and vicon are .csv, too.",
 )  # fmt: skip
 @log_options
 @terminal_options("force", "quiet")
@@ -185,9 +185,9 @@ def convert(
     source: Path, out: Path, form: str | None, first: float | None, last: float | None,
     world: str | None, body: str | None, force: bool, terminal: Terminal,
 ) -> None:  # fmt: skip
-    """Write a log, or what the sensors of a simulated flight gave, in another format.
+    """Write a log, or the sensor readings of a simulated flight, in another format.
 
-    RESULT is a folder that springback fly wrote, of a scenario with [sensors] or a pilot.
+    RESULT is a folder that springback fly wrote for a scenario with [sensors] or a pilot.
 
     \b
     springback identify convert results --out flight.ulg
