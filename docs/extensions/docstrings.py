@@ -13,6 +13,7 @@ import re
 import tokenize
 from collections import defaultdict
 from functools import cache
+from types import NoneType
 from typing import Any
 
 from docutils import nodes
@@ -108,7 +109,7 @@ def put_back(app: Sphinx, what: str, name: str, thing: Any, options: Any, lines:
 
 
 def found(path: str) -> Any:
-    """What a dotted path names, or None."""
+    """What a dotted path names, `NoneType` if that is None; None if it names nothing."""
     parts = path.strip(".").split(".")
     if not parts[0]:
         return None
@@ -126,7 +127,7 @@ def found(path: str) -> Any:
                 thing = getattr(thing, part)
             else:
                 return None
-        return thing
+        return NoneType if thing is None else thing
     return None
 
 
