@@ -111,6 +111,7 @@ RARE = (
     "results/test_contact_places.py::test_two_vehicles_name_each_other",
     "results/test_first_obstacle.py::test_it_is_named_alike_in_a_flight_and_in_a_batch[all]",
     "results/test_first_obstacle.py::test_it_is_named_alike_in_a_flight_and_in_a_batch[moving]",
+    "results/test_pair_contacts.py::test_hulls_of_both_are_among_the_contacts",
     "scenario/test_bent_start.py::test_in_a_batch_it_is_the_same_flight",
     "scenario/test_second.py::test_what_cannot_fly_together_is_refused[its hull of points]",
     "simulation/test_broken_guards.py::test_many_flights_break_as_each_does_alone",
