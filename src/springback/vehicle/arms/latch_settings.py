@@ -41,7 +41,7 @@ class _LatchSettings(Settings):
                 raise problem(f"has {len(value)} entries for {count} arms", name)
         if not any(self.holds(j) > 0.0 for j in range(count)):
             raise problem(
-                f"must be more than 0 {self.unit}, of one arm at least (got 0)", self.load
+                f"must be more than 0 {self.unit}, for at least one arm (got 0)", self.load
             )
 
 

@@ -187,8 +187,8 @@ class Arms(Settings):
             share = smallest([independence(way) for way in self._both_ways(j)])
             if share < LEAST_INDEPENDENCE:
                 raise problem(
-                    f"moves the end of arm {j + 1} along itself or hardly another way than the "
-                    "first does, somewhere in its travel: the sine of the angle between both, "
+                    f"moves the end of arm {j + 1} along itself or in nearly the same direction as "
+                    "the first does, somewhere in its travel: the sine of the angle between both, "
                     f"times their lengths, must be at least {LEAST_INDEPENDENCE:g} (it is "
                     f"{share:.3g})",
                     "axis" if isinstance(second, SecondHinge) else "direction",

@@ -49,7 +49,7 @@ class RotorSettings(Settings):
     @model_validator(mode="after")
     def _has_place(self) -> RotorSettings:
         if self.position is None and self.on == "body":
-            raise problem("is missing: of a rotor on the main body it must be given", "position")
+            raise problem("is missing: it must be given for a rotor on the main body", "position")
         if not hypot(*self.axis) > 0.0:
             raise problem(
                 "must not be zero: it is the direction of the thrust "
