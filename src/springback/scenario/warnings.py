@@ -1,4 +1,4 @@
-"""Warnings of a scenario that can be flown and is seldom meant."""
+"""Warnings about what can be flown but is hardly intended."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bodies and their masses in MJCF: as they are written, or of their geoms, as MuJoCo makes them.
+"""Bodies and their masses in MJCF: as they are written, or from geoms, as in MuJoCo.
 
 Source: https://mujoco.readthedocs.io/en/stable/XMLreference.html#body-inertial, #body-geom and
 #compiler-inertiafromgeom.  What of that is not read is refused by name.
