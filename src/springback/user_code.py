@@ -47,7 +47,7 @@ Arguments = Annotated[dict[str, Any], PlainValidator(_arguments)]
 
 
 class UserCode(Settings):
-    """Code of the user's own, and its arguments."""
+    """Code of your own, and its arguments."""
 
     code: CodeName
     """``FILE.py:NAME`` of the code, or of a function that returns it."""

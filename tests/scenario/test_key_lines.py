@@ -144,7 +144,7 @@ REPEATED = {
     ),
     "inside of a value": (
         "x = 1\nvehicle = 'arq'\n[vehicle.arms]\n",
-        "a.toml:3: vehicle.arms: is inside of vehicle, which has a value in line 2: make that a table",
+        "a.toml:3: vehicle.arms: is inside vehicle, which has a value in line 2: make that a table",
     ),
     "of an inline table": (
         "a = 1\nb = {c = 1, c = 2}\n",

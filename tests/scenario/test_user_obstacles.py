@@ -122,7 +122,9 @@ def test_what_is_wrong_is_refused(shape: Any, words: tuple[str, ...]) -> None:
 def test_a_distance_over_whose_surface_rays_jump_is_too_steep() -> None:
     """Eight times the true one: a stride goes beyond the ball, and no ray meets it."""
     start = Vec(0.0, 0.0, 0.0)
-    with pytest.raises(InputError, match=r"signed_distance at .* changes by .* on a way of"):
+    with pytest.raises(
+        InputError, match=r"signed_distance at .* changes by .* over .*; a distance"
+    ):
         check_shape_from(start, Blown(Vec(1.0, 0.1, 0.0), 8.0), "shape")
     check_shape_from(start, Blown(Vec(1.0, 0.1, 0.0), 1.0), "shape")
 

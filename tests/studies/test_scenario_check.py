@@ -199,7 +199,7 @@ def test_three_rotors_turn_no_vehicle_about_its_axis() -> None:
         "reference": {"type": "hold"},
     }
     [said] = scenario_warnings(scenario_from(tables))
-    assert said.startswith("the 3 rotors cannot give lift, roll, pitch and yaw each by itself")
+    assert said.startswith("the 3 rotors cannot give lift, roll, pitch and yaw independently")
     tables["vehicle"]["arms"] = arms | {"torque_ratio": 0.0}
     assert scenario_warnings(scenario_from(tables)) == []
     tables["vehicle"] = "arq"
@@ -212,7 +212,7 @@ def test_one_or_two_rotors_give_no_roll_or_pitch(directions: list[str]) -> None:
     arms = {"directions": directions, "torque_ratio": 0.016}
     vehicle = {"preset": "arq", "arms": arms, "propulsion": {"max_thrust": 40.0}}
     said = scenario_warnings(scenario_from({"vehicle": vehicle, "reference": {"type": "hold"}}))
-    assert any("cannot give lift, roll and pitch each by itself" in one for one in said)
+    assert any("cannot give lift, roll and pitch independently" in one for one in said)
 
 
 def test_arms_that_can_fold_into_each_other_are_told() -> None:

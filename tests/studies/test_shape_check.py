@@ -74,7 +74,7 @@ def test_the_recipe_for_implicit_functions_passes_where_the_plain_one_fails(
     start = Vec(1.5, 0.0, 1.0)
     plain = [one for one in check_shape(Implicit(3.0, 0.5, 6.0), start) if not one.passed]
     assert re.search(
-        r"signed_distance at \[[^]]*\] m changes by \S+ m on a way of \S+ m; .* the largest that",
+        r"signed_distance at \[[^]]*\] m changes by \S+ m over \S+ m; .* the largest that",
         plain[0].sentence,
     )
     wave = documented(tmp_path)(3.0, 0.5, 6.0, 0.025)

@@ -115,7 +115,7 @@ def test_a_campaign_varies_numbers_of_the_second_joint() -> None:
     ("second", "message"),
     [
         ({**SECOND, "axis": [0, 0, 0]}, "joint.second.axis: must be of some length"),
-        ({**SECOND, "axis": [0, 0, 1]}, "joint.second.axis: moves the end of arm 1 along itself or h"),
+        ({**SECOND, "axis": [0, 0, 1]}, "joint.second.axis: moves the end of arm 1 along itself or i"),
         ({**SECOND, "axis": [0, 0.05, 1]}, "joint.second.axis: moves the end of arm 1 along itself"),
         ({**SECOND, "travel": ["-30 deg", "89 deg"]}, "joint.second.axis: moves the end of arm 1 al"),
         ({**SECOND, "position": ["190 mm", 5, 0]}, "joint.second.position: must not lie on the end"),

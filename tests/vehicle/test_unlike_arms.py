@@ -156,7 +156,7 @@ def test_a_stored_scenario_is_the_same() -> None:
         ({"latch": {"force": [1, 0], "travel": 0.001}}, "latch.force: has 2 entries for 4 arms"),
         (
             {"latch": {"force": [0, 0, 0, 0], "travel": 0.001}},
-            "latch.force: must be more than 0 N, of one arm at least (got 0)",
+            "latch.force: must be more than 0 N, for at least one arm (got 0)",
         ),
         ({"latch": {"force": [0, 0, 5, 0], "travel": 0.001}}, "latch: needs the end stop at the"),
         (

@@ -36,8 +36,8 @@ def fly_pair(
     Args:
         first: A `Scenario`, plain tables, or the path of a TOML file.
         second: Likewise; world, clock and steps must be the same.
-        surface: Of the contact between both; by default that of two cages of the preset ``wall`` in
-            series, with its friction.
+        surface: Surface of the contact between the two; by default that of two cages of the preset
+            ``wall`` in series, with its friction.
         trajectory: Record trajectories.
         progress: Called from time to time with the simulated time [s].
 

@@ -382,9 +382,9 @@ class Campaign:
         Args:
             number: Number of the flight.
             others: Numbers of flights to show beside it.
-            export: As there.
-            force: As there.
-            browser: As there.
+            export: As for `springback.Flight.view`.
+            force: As for `springback.Flight.view`.
+            browser: As for `springback.Flight.view`.
 
         Raises:
             InputError: If one has not been flown or could not be flown, and as there.

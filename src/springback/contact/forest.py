@@ -26,7 +26,7 @@ TRIALS = 30
 
 
 class Forest(SurfacedShape):
-    """Upright trunks without end, at random places that keep a distance from each other."""
+    """Upright trunks of infinite height, at random places that keep a distance from each other."""
 
     type: Literal["forest"]
     position: Place = (0.0, 0.0, 0.0)
@@ -34,11 +34,11 @@ class Forest(SurfacedShape):
     size: Widths = (20.0, 20.0)
     """Depth along X and width along Y."""
     density: Annotated[float, Unit("1/m^2", least=0.0)]
-    """Trunks per area; more than fit with the spacing are refused."""
+    """Trunks per area; a density that does not fit with the spacing is refused."""
     radius: Length = 0.1
     """Mean radius of a trunk."""
     radius_spread: Annotated[float, Unit("", least=0.0, most=0.9)] = 0.0
-    """Radii are even between 1 − this and 1 + this times the mean."""
+    """Radii are spread evenly between 1 − this and 1 + this times the mean."""
     spacing: NotNegative = 0.5
     """Least distance between the bark of two trunks."""
     seed: Annotated[int, Field(ge=0)] = 0

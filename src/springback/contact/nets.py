@@ -44,19 +44,19 @@ class Net(AttitudeSettings, ShapeSettings):
 
     type: Literal["net"]
     position: Place
-    """Middle of its face, which looks along its own −x."""
+    """Middle of its face, which faces along its own −x."""
     size: Widths = (2.0, 2.0)
     """Width and height."""
     depth: Length = 0.5
-    """Of the body behind its face: pressed in deeper than this, a part is through."""
+    """Depth of the body behind its face: a part pressed in deeper than this has gone through."""
     tension: PerLength | None = None
-    """Force per width with which it is stretched: the force grows with the dip ..."""
+    """Force per width with which it is stretched: contact force grows with the dip ..."""
     thread_stiffness: PerLength | None = None
-    """... or, of a slack net, stiffness in its plane per width: with the cube of the dip."""
+    """... or, for a slack net, stiffness in its plane per width: with the cube of the dip."""
     contact_radius: Length = 0.1
-    """Radius of the disc as which a part of the vehicle presses."""
+    """Radius of the disc that stands for a part of the vehicle as it presses."""
     restitution: Annotated[float, Unit("", least=0.01, most=1.0)] = 0.05
-    """Share of the speed that is given back at ``restitution_speed``."""
+    """Share of the speed that is returned at ``restitution_speed``."""
     restitution_speed: Speed = 2.0
     friction: Factor = 0.3
 

@@ -46,35 +46,35 @@ class SurfaceSettings(HystereticSettings):
 
     `hunt-crossley` needs ``dissipation``, or ``restitution`` with ``restitution_speed``; `hertz`
     has no damping; `kelvin-voigt` has ``viscosity``; `constant-restitution` has the same
-    ``restitution`` at any speed, as have `foam` and `table`, whose forces are not those of a power
-    law; `impulse` has ``restitution`` and no force.  Any force law can have ``viscosity`` besides.
+    ``restitution`` at any speed, as do `foam` and `table`, whose forces do not follow a power law;
+    `impulse` has ``restitution`` and no force.  Any law with a force can also have ``viscosity``.
     """
 
     law: Law = "hunt-crossley"
     stiffness: Annotated[float, Unit("", above=0.0)] = 2e5
-    """k_c [N/mⁿ] of the whole front, see ``shared_by``; as text, such as ``"10 N/mm"`` where n is
-    1, or ``"200 kN/m^1.5"``."""
+    """k_c [N/mⁿ] of the whole front, see ``shared_by``; or text such as ``"10 N/mm"`` if n is 1, or
+    ``"200 kN/m^1.5"``."""
     shared_by: Annotated[int, Field(ge=1)] = 1
     """Number of cages that share the stiffness (2: a front of two cages, k_c/2 each)."""
     exponent: Annotated[float, Unit("", least=0.4, most=4.0)] = 1.5
     dissipation: Annotated[float, Unit("s/m", least=0.0)] | None = None
-    """c_a of b_c = 1.5 c_a k_c."""
+    """c_a in b_c = 1.5 c_a k_c."""
     restitution: Annotated[float, Unit("", least=0.0, most=1.0)] | None = None
     restitution_speed: Speed | None = None
     viscosity: Annotated[float, Unit("N s/m", least=0.0)] = 0.0
-    """b of a damper beside the spring, of the whole front."""
+    """b of a damper beside the spring, for the whole front."""
     friction: Factor = 0.0
     friction_axes: Literal["both", "vertical"] = "both"
     """`vertical` is the paper's friction, along the vertical tangent only."""
     slip_speed: Speed = 0.03
     """Slip speed below which friction fades to zero (studies/convergence.py)."""
     friction_law: Literal["regularised", "bristle"] = "regularised"
-    """`bristle` holds still what lies or leans; `regularised` lets it creep, and costs less."""
+    """`bristle` holds what lies or leans still; `regularised` lets it creep, and costs less."""
     presliding: Annotated[float, Unit("m", above=0.0)] = PRESLIDING
-    """Largest elastic slip of bristles, from which on a contact slides."""
+    """Largest elastic slip of bristles, beyond which a contact slides."""
     rolling_resistance: Annotated[float, Unit("m", least=0.0)] = 0.0
-    """Lever of the moment against rolling and spinning in contact, per normal force; with bristles.
-    A sphere begins to roll on a slope whose tangent is this over its radius."""
+    """Lever arm of the moment against rolling and spinning in contact, for `bristle`: moment per
+    normal force.  A sphere begins to roll on a slope whose tangent is this over its radius."""
 
     @model_validator(mode="after")
     def _consistent(self) -> SurfaceSettings:
@@ -125,7 +125,7 @@ class SurfaceSettings(HystereticSettings):
             )
 
     def unread(self) -> tuple[str, ...]:
-        """Numbers that its law does not read, so that to vary them is a mistake."""
+        """Numbers that its law does not use, so that varying them is a mistake."""
         found = _UNREAD.get(self.law, ())
         if self.law == "hunt-crossley" and self.restitution is None:
             return ("restitution_speed",)
@@ -149,7 +149,7 @@ class SurfaceSettings(HystereticSettings):
 
         Args:
             exponent: Type of the exponent.
-            in_scene: True if it is one of many of a scene, whose contacts may have memory.
+            in_scene: True if it is one of many in a scene, whose contacts may have memory.
         """
         impulse = self.law == "impulse"
         n: Exponent = exponent(self.exponent_value())
@@ -183,7 +183,7 @@ class PlaneSettings(Settings):
     """A plane obstacle: a point of its face and the direction it faces."""
 
     name: Name = ""
-    """For messages and drawings."""
+    """Name for messages and drawings."""
     distance: Annotated[float, Unit("m")] | None = None
     """Short for a wall across the X axis at this distance from the origin, facing the origin."""
     position: Annotated[Triple, Unit("m")] | None = None
@@ -221,7 +221,7 @@ class Wall(PlaneSettings):
 
     type: Literal["wall"]
     motion: GivenMotions | None = None
-    """How it moves: as prescribed, for it has no end; it is at rest unless it is given."""
+    """How it moves: prescribed motions only, as it is infinite; by default it is at rest."""
 
 
 class Ground(Settings):
@@ -229,7 +229,7 @@ class Ground(Settings):
 
     type: Literal["ground"]
     name: Name = ""
-    """For messages and drawings."""
+    """Name for messages and drawings."""
     height: Annotated[float, Unit("m")] = 0.0
     surface: SurfaceSettings
 

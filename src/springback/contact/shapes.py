@@ -94,9 +94,9 @@ class ShapeSettings(Settings):
     """What all built-in shapes have."""
 
     name: Name = ""
-    """For messages and drawings."""
+    """Name for messages and drawings."""
     motion: MotionSettings | None = None
-    """How it moves; it is at rest unless it is given."""
+    """How it moves; by default it is at rest."""
 
     @model_validator(mode="after")
     def _edges_fit(self) -> Self:
@@ -175,7 +175,7 @@ class AxisShape(SurfacedShape):
     """A shape around an axis."""
 
     axis: Direction = (0.0, 0.0, 1.0)
-    """Direction of the axis, of any length; upwards unless it is given."""
+    """Direction of the axis, of any length; by default upwards."""
 
     @model_validator(mode="after")
     def _has_direction(self) -> AxisShape:
@@ -189,9 +189,9 @@ class Box(AttitudeShape):
 
     type: Literal["box"]
     position: Place
-    """Of its centre."""
+    """Position of its centre."""
     size: Sizes
-    """Whole lengths along its own x, y and z."""
+    """Full lengths along its own x, y and z."""
     edge_radius: NotNegative = EDGE
     """Radius of its edges, within its size."""
 
@@ -211,9 +211,9 @@ class Edge(AttitudeShape):
 
     type: Literal["edge"]
     position: Place
-    """A point of the edge, its middle."""
+    """Position of the middle of the edge."""
     length: Length = 10.0
-    """Of the edge, along its own z: upright unless it is turned."""
+    """Length of the edge, along its own z: upright unless it is turned."""
     width: Length = 2.0
     """Of both faces; the edge points along the shape's own −x."""
     edge_radius: NotNegative = EDGE
@@ -247,16 +247,16 @@ class Ball(SurfacedShape):
 
 
 class Pole(AxisShape):
-    """A round pole: without end, or of some height with flat ends."""
+    """A round pole: endless, or of a given height with flat ends."""
 
     type: Literal["pole"]
     position: Place
-    """A point of its axis; the foot, if it has a height."""
+    """A point on its axis; the foot, if it has a height."""
     radius: Length
     height: Length | None = None
-    """Without it the pole has no end."""
+    """Height; without it the pole is endless."""
     edge_radius: NotNegative = EDGE
-    """Of the edges of its flat ends."""
+    """Radius of the edges of its flat ends."""
 
     def thinnest(self) -> float:
         """Its height or diameter [m]."""
@@ -297,10 +297,10 @@ class Cone(AxisShape):
     """Centre of its base."""
     height: Length
     radius: Length
-    """Of the base."""
+    """Radius of the base."""
     top_radius: NotNegative = 0.0
     edge_radius: NotNegative = EDGE
-    """Of its edges and tip, within its size."""
+    """Radius of its edges and tip, within its size."""
 
     def thinnest(self) -> float:
         """Its height or larger diameter [m]."""
@@ -343,11 +343,11 @@ class Hoop(AxisShape):
 
     type: Literal["hoop"]
     position: Place
-    """Of its centre."""
+    """Position of its centre."""
     axis: Direction = (1.0, 0.0, 0.0)
-    """Direction to fly through it."""
+    """Direction in which to fly through it."""
     radius: Length
-    """Of the circle along the middle of the tube."""
+    """Radius of the circle along the middle of the tube."""
     tube_radius: Length
 
     @model_validator(mode="after")
@@ -368,15 +368,15 @@ class Hoop(AxisShape):
 
 
 class Slope(SurfacedShape):
-    """Inclined ground without end."""
+    """Endless inclined ground."""
 
     type: Literal["slope"]
     position: Place = (0.0, 0.0, 0.0)
-    """A point of its face."""
+    """A point on its face."""
     angle: Annotated[float, Unit("rad", least=0.0, most=0.5 * math.pi)]
-    """Of its face from the horizontal."""
+    """Angle of its face from the horizontal."""
     uphill: Angle = 0.0
-    """Heading of the way up, from X towards Y."""
+    """Heading uphill, from X towards Y."""
 
     def bodies(self) -> list[SolidShape]:
         """Its solids."""
@@ -392,7 +392,7 @@ class Stairs(SurfacedShape):
     position: Place
     """Middle of the foot of the first riser, on the floor."""
     yaw: Angle = 0.0
-    """Heading of the way up, from X towards Y."""
+    """Heading up the stairs, from X towards Y."""
     steps: Annotated[int, Field(ge=1, le=MOST_STEPS)] = 10
     rise: Length = 0.17
     tread: Length = 0.29

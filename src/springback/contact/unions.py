@@ -42,13 +42,13 @@ SingleShape = (
 
 
 class ShapeUnion(AttitudeSettings, ShapeSettings):
-    """Several shapes as one obstacle; what is nearest of them is met."""
+    """Several shapes as one obstacle; contact is with the nearest of them."""
 
     type: Literal["union"]
     position: Place = (0.0, 0.0, 0.0)
-    """Of the whole: places and angles of its shapes are in its own axes."""
+    """Position of the whole: positions and angles of its shapes are in its own axes."""
     surface: SurfaceSettings | None = None
-    """Of the shapes that have none of their own."""
+    """Surface of the shapes that have none of their own."""
     shapes: tuple[Annotated[SingleShape, Field(discriminator="type")], ...]
     """Its parts, placed within it."""
 

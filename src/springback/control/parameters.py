@@ -51,9 +51,8 @@ class ControlSettings(Settings):
     """The cascade of position, attitude and rate control."""
 
     stiffness: Annotated[float, Unit("N/m", least=0.0)] = 9.25
-    """K_p, horizontal. Fitted to Quad's steps in Table IV (studies/gains.py); by default less in
-    proportion for a lighter robot, which is then as fast as Quad; so is `vertical_stiffness`.
-    """
+    """K_p, horizontal.  Fitted to Quad's steps in Table IV (studies/gains.py); by default reduced
+    in proportion for a lighter robot, which is then as fast as Quad; so is `vertical_stiffness`."""
     vertical_stiffness: Annotated[float, Unit("N/m", least=0.0)] = 20.0
     """K_p, vertical. Fitted, as above."""
     damping_ratio: Annotated[float, Unit("", least=0.0)] = BESSEL
@@ -61,9 +60,9 @@ class ControlSettings(Settings):
     1: no other agrees with the steps of Table IV (studies/gains.py).
     """
     damping: Annotated[float, Unit("N s/m", least=0.0)] | None = None
-    """K_v, horizontal, instead of that of the damping ratio."""
+    """K_v, horizontal, instead of the one from the damping ratio."""
     vertical_damping: Annotated[float, Unit("N s/m", least=0.0)] | None = None
-    """K_v, vertical, instead of that of the damping ratio."""
+    """K_v, vertical, instead of the one from the damping ratio."""
     integral: Annotated[float, Unit("N/(m s)", least=0.0)] = 0.0
     """K_i of all three axes; the paper's laws have none."""
     integral_limit: Annotated[float, Unit("N", least=0.0)] = 2.0

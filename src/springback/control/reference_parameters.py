@@ -43,7 +43,7 @@ class HoldSettings(Settings):
 
     type: Literal["hold"]
     position: Place = HOME
-    """Without one it stays at ``start.position``, if that is given."""
+    """Position; by default ``start.position``, if that is given."""
     yaw: Angle = 0.0
 
     def reference(self, limits: Limits, reach: Reach) -> Polynomials:
@@ -162,7 +162,7 @@ class RunUpSettings(Settings):
     """Pitch at contact; positive is nose down, towards the wall.  With a yaw it is the tilt towards
     the wall, about the wall's horizontal."""
     yaw: Angle = 0.0
-    """Heading against the wall's inward normal, held from the start to the end of the recovery."""
+    """Heading from the wall's inward normal, held from the start to the end of the recovery."""
     wall_distance: Position = 2.75
     """Distance of the wall's face from the origin along X."""
     start: Place = HOME

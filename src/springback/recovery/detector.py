@@ -37,9 +37,9 @@ def detector_step(detector: Any, time: float, inputs: CollisionInputs, memory: A
 
     Args:
         detector: Settings of the detector, a NamedTuple.
-        time: Since the start [s].
+        time: Time since the start [s].
         inputs: Measurement, estimate and external wrench at this tick.
-        memory: Memory of the detector; a new one is returned, it is never changed in place.
+        memory: Memory of the detector, which is never changed in place: a new one is returned.
     """
     raise TypeError(f"{type(detector).__name__} is not a detector; register detector_step for it")
 

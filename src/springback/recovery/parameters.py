@@ -41,8 +41,8 @@ class TriggerSettings(Settings):
     persistence: Samples = 1
     """Consecutive samples above the threshold.  Chosen: one, as in McGill's flight code."""
     refractory: Annotated[float, Unit("s", least=0.0)] = 1.0
-    """Time after an alarm without another.  Chosen, half of the 2 s of ASU's XPLORER: the recovery
-    itself tilts beyond the accelerometer's threshold, for some 0.7 s."""
+    """Time after an alarm in which there is no other.  Chosen, half of the 2 s of ASU's XPLORER:
+    the recovery itself tilts beyond the accelerometer's threshold, for some 0.7 s."""
     cutoff: Annotated[float, Unit("1/s", least=0.0)] = 0.0
     """Corner of a first-order low-pass on the signal [Hz]; 0 for none."""
 
@@ -88,7 +88,7 @@ class WrenchTrigger(TriggerSettings):
 
     threshold: Annotated[float, Unit("N", above=0.0)] = 8.0
     """Chosen (`springback study detection`): three times the largest signal in 1000 s of circles
-    and steps in gusts, 2.7 N, and yet each hit from 0.25 m/s on is detected; Tomić et al. print
+    and steps in gusts, 2.7 N, and yet each hit from 0.25 m/s up is detected; Tomić et al. print
     none."""
 
 
@@ -117,7 +117,7 @@ class DetectionSettings(Settings):
     wrench: WrenchTrigger = WrenchTrigger()
     own: UserCode | None = None
     """A detector of your own: ``code`` names a `CompiledDetector`, or a function that returns one.
-    It then raises the alarm alone, unless `used` of others is true."""
+    It alone then raises the alarm, unless `used` of others is true."""
 
 
 class CharacterisationSettings(Settings):
@@ -128,19 +128,19 @@ class CharacterisationSettings(Settings):
     along which arm the robot was pressed, `acceleration` and `wrench` the direction of the contact
     force with its friction, and `fused`, from force and moment, the obstacle's normal."""
     window: Annotated[float, Unit("s", least=0.0)] = 0.012
-    """Observation window after the alarm. Chosen: direction errors of both robots are then below
-    5 degrees (`springback study detection`), and no trial of the paper's tests fails by the
+    """Observation window after the alarm.  Chosen: direction errors of both robots are then below 5
+    degrees (`springback study detection`), and no trial of the paper's tests fails because of the
     delay."""
     longer: Annotated[float, Unit("s", least=0.0)] = 0.0175
     """Least time after a clipped reading, if one rigid arm was hit. Chosen: motion capture, which
     measures the velocity change that was lost, is 10 ms late and comes every 5 ms."""
     share: Annotated[float, Unit("", above=0.0, most=1.0)] = 0.1
-    """An arm in front was hit if its compression is this share of the largest. Chosen."""
+    """An arm in front was hit if its compression is at least this share of the largest.  Chosen."""
     level: bool | None = None
     """True if obstacles are upright faces, as all of the paper's are, so that f_c⁰ is level; false
     for poles, edges, balls and leaning faces, where friction deflects it (`springback study
-    shapes`).  By default true where upright walls and mats are all that the world has beside level
-    ground, and false elsewhere."""
+    shapes`). By default true if the world has only upright walls, upright mats and level ground;
+    else false."""
 
 
 class ResponseSettings(Settings):
@@ -163,9 +163,9 @@ class ResponseSettings(Settings):
     vertical_acceleration: Annotated[float, Unit("m/s^2", above=0.0)] = 4.0
     """`time-optimal`: bound along Z. Chosen: a third of the former, as tilting costs lift."""
     away: Annotated[float, Unit("m/s^2", above=0.0)] = 0.75 * 9.81
-    """`staged`: 0.75 g. McGill-AML/Spiri_recovery, as are the four below."""
+    """`staged`: acceleration, 0.75 g. McGill-AML/Spiri_recovery, as are the four below."""
     damping: Annotated[float, Unit("1/s", least=0.0)] = 5.0
-    """`staged`: of the vertical speed."""
+    """`staged`: damping of the vertical speed."""
     stage_tilt: Annotated[float, Unit("rad", above=0.0)] = 0.15
     """`staged`: tilt error at which the first stage is over."""
     stage_level: Annotated[float, Unit("rad", above=0.0)] = 0.2

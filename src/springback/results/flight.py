@@ -229,7 +229,7 @@ class Flight(FlightResult):
                 share a panel, as do those that are given as a list.  None draws the figure of the
                 whole flight, whatever the width.
             width: ``one column`` (88 mm), ``two columns`` (180 mm), a number [m], or ``"120 mm"``.
-            height: Of the figure; by default 30 mm for each panel.
+            height: Height of the figure; by default 30 mm for each panel.
             window: First and last instant shown [s].
 
         Raises:
@@ -259,9 +259,9 @@ def fly(
     Args:
         scenario: A `Scenario`, plain tables, or the path of a TOML file.
         *overrides: Words such as ``"vehicle.arms.stiffness=6000"``; not with a `Scenario`.
-        own: The user's own obstacles besides the scenario's: pairs of a shape, registered with
+        own: Your own obstacles besides the scenario's: pairs of a shape, registered with
             `signed_distance` and `outward_normal`, and its `SurfaceSettings`.
-        pilot: The user's own pilot, in place of the scenario's: a plain function ``(time,
+        pilot: Your own pilot, in place of the scenario's: a plain function ``(time,
             measurement, memory) -> (thrusts, memory)``, whose memory is None at first, with its
             alarm as a third value if it detects collisions; or a `CompiledPilot`, which is
             compiled; or ``"file.py:name"`` of either.
@@ -271,9 +271,9 @@ def fly(
 
     Warns:
         LedgerWarning: If the energy ledger does not close to 1e-4.
-        ContactWarning: If a contact came as deep as the middle of what it met.
-        OverlapWarning: If cages of one vehicle came into each other.
-        CommandWarning: If a pilot commands less than 0 N of a rotor and telemetry is recorded.
+        ContactWarning: If a contact was as deep as the middle of what it touched.
+        OverlapWarning: If cages of one vehicle overlapped.
+        CommandWarning: If a pilot commands less than 0 N from a rotor and telemetry is recorded.
 
     Raises:
         InputError: If the scenario cannot be flown; one line for each problem.  If the distance or

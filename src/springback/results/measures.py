@@ -76,7 +76,7 @@ class FlightMeasures:
     arm_extension: float | None
     """whole flight: largest extension of an arm past its free length [m]"""
     impulse_x: float | None
-    """whole flight: of all contact forces on the vehicle, world X [N s]"""
+    """whole flight: impulse of all contact forces on the vehicle, world X [N s]"""
     impulse_y: float | None
     """the same, world Y [N s]"""
     impulse_z: float | None
@@ -100,7 +100,7 @@ class FlightMeasures:
     rotors_stopped: float | None
     """number of rotors that stopped at least once; likewise"""
     guard_margin: float | None
-    """what the most loaded guard could bear more, over its limit; needs vehicle.limits"""
+    """what the most loaded guard could still bear, over its limit; needs vehicle.limits"""
     arm_margin: float | None
     """the same for the force along an arm"""
     component_margin: float | None

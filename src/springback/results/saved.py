@@ -41,8 +41,8 @@ def load(folder: str | Path) -> Flight:
     """Read a flight as it was written, with its scenario, measures, trajectory and telemetry.
 
     Args:
-        folder: With ``summary.json``, ``trajectory.parquet`` and, for a flight with a pilot or
-            sensors, ``telemetry.parquet``.
+        folder: Folder with ``summary.json``, ``trajectory.parquet`` and, for a flight with a pilot
+            or sensors, ``telemetry.parquet``.
 
     Raises:
         InputError: In one line, if the folder is not a result, or its content is damaged or

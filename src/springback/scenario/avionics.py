@@ -58,21 +58,21 @@ UNCLIPPED = 1e6
 
 
 class CompiledPilot(NamedTuple):
-    """A pilot of the user's own that is compiled: its type is registered with `pilot_step`."""
+    """A compiled pilot of your own: its type is registered with `pilot_step`."""
 
     settings: Any  # a NamedTuple of floats
     memory: Any  # at the start; a tree of floats
 
 
 class CompiledEstimator(NamedTuple):
-    """An estimator of the user's own: its type is registered with `estimator_step`."""
+    """An estimator of your own: its type is registered with `estimator_step`."""
 
     settings: Any  # a NamedTuple of floats
     memory: Any  # at the start; a tree of floats
 
 
 class CompiledDetector(NamedTuple):
-    """A detector of the user's own: its type is registered with `detector_step`."""
+    """A detector of your own: its type is registered with `detector_step`."""
 
     settings: Any  # a NamedTuple of floats
     memory: Any  # at the start; a tree of floats

@@ -189,7 +189,7 @@ def check_without_pilot(scenario: ScenarioTables) -> None:
     if propulsion is not None and propulsion.stop is not None and scenario.thrust != 0.0:
         raise problem(
             "acts only where a pilot flies: give a [reference], or a pilot of your own; or false "
-            "for rotors that turn on, or thrust = 0",
+            "for rotors that keep turning, or thrust = 0",
             "vehicle.propulsion.stop",
         )
 

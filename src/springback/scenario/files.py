@@ -132,7 +132,7 @@ def read_scenario(
     Args:
         path: TOML file.
         overrides: Words such as ``vehicle.arms.stiffness=6000`` or ``start.pitch="15 deg"``.
-        pilot: True if a pilot of the user's own will fly it; None if unknown.
+        pilot: True if a pilot of your own will fly it; None if unknown.
 
     Raises:
         InputError: One line for each problem: file and line or override, field, value, unit, range.

@@ -91,7 +91,7 @@ class Scenario(ScenarioTables):
         """The checked flight; see `springback.scenario.build.build_flight`.
 
         Args:
-            parts: The user's own; by default those that the scenario names, whose files are run.
+            parts: Your own parts; by default those that the scenario names, whose files are run.
             advises: Suggest a feasible distance if a run-up cannot be flown; slow.
         """
         own = self.parts(UserParts, *(user_parts(self) if parts is None else parts))
@@ -106,7 +106,7 @@ class Scenario(ScenarioTables):
         return true_airframe(self.vehicle, self.model_error, self.payload)
 
     def flight_model(self, own: Sequence[Own] = ()) -> Model:
-        """Model of the flight, of the user's own shapes only with those given, with surfaces."""
+        """Model of the flight; ``own`` are the user's own shapes, with their surfaces."""
         return self.parts(flight_model, self, own, self.parts)
 
     def beside(self) -> Scenario:
@@ -121,8 +121,8 @@ class Scenario(ScenarioTables):
         """This scenario with the vehicle of another one as its second.
 
         Args:
-            other: Its world, clock and steps must be the same.
-            surface: Of the contact between both.
+            other: Scenario of that vehicle, with the same world, clock and steps.
+            surface: Surface of the contact between the two.
 
         Raises:
             InputError: If they cannot fly together; one line for each problem.

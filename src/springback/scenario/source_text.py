@@ -113,7 +113,7 @@ def _repeated(key: RepeatedKey) -> str:
     if path == holder:
         return f"{path}: is given twice; the first is in line {key.line}"
     return (
-        f"{path}: is inside of {holder}, which has a value in line {key.line}: make that a "
+        f"{path}: is inside {holder}, which has a value in line {key.line}: make that a "
         "table; a preset is its key preset"
     )
 

@@ -1,4 +1,4 @@
-"""Warnings of a scenario that can be flown and is seldom meant."""
+"""Warnings about what can be flown but is hardly intended."""
 
 from __future__ import annotations
 
@@ -179,12 +179,12 @@ def _unsteered(vehicle: Vehicle) -> list[str]:
         return []
     if np.linalg.matrix_rank(rows[:3], tol=NO_MOMENT) < 3:
         return [
-            f"rotors at the ends of arms cannot give lift, roll and pitch each by itself (arms: "
+            f"rotors at the ends of arms cannot give lift, roll and pitch independently (arms: "
             f"{len(arms)}): the vehicle falls over; give it three or more that are not in line"
         ]
     return [
-        f"the {len(arms)} rotors cannot give lift, roll, pitch and yaw each by itself: "
-        "yaw is left without command, and the vehicle spins as their torques make it; give it more "
+        f"the {len(arms)} rotors cannot give lift, roll, pitch and yaw independently: "
+        "yaw is not controlled, and their torques make the vehicle spin; give it more "
         "rotors, or rotors other than upright ones at the ends of arms (vehicle.rotors)"
     ]
 

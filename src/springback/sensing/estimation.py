@@ -90,9 +90,9 @@ class KalmanSettings(Settings):
     chosen.
     """
     position_noise: Length = 2e-4
-    """Motion capture, standard deviation along each axis; chosen, a common camera system."""
+    """Standard deviation of motion capture along each axis; chosen, a common camera system."""
     attitude_noise: Annotated[float, Unit("rad", above=0.0)] = math.radians(0.1)
-    """Motion capture, standard deviation about each axis; chosen likewise."""
+    """Standard deviation of motion capture about each axis; chosen likewise."""
     initial_position: Annotated[float, Unit("m", least=0.0)] = 1e-3
     """Standard deviation at the start; chosen, as are those below."""
     initial_velocity: Annotated[float, Unit("m/s", least=0.0)] = 0.01

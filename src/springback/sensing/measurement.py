@@ -112,7 +112,7 @@ def estimator_step(estimator: Any, tick: float, seen: Measurement, memory: Any) 
         estimator: Settings of the estimator, a NamedTuple.
         tick: Number of the tick, from 0; a whole number.
         seen: The measurement.
-        memory: Memory of the estimator; a new one is returned, it is never changed in place.
+        memory: Memory of the estimator, never changed in place: a new one is returned.
     """
     raise TypeError(
         f"{type(estimator).__name__} is not an estimator; register estimator_step for it"

@@ -98,7 +98,7 @@ class ChannelSettings(Settings):
     bandwidth: Rate
     """3 dB corner of the low-pass, here of first order."""
     bias: float
-    """Standard deviation of each axis from flight to flight."""
+    """Standard deviation of the bias of each axis, from flight to flight."""
     walk: float
     """Random walk of the bias [unit/s/√Hz]."""
     bits: Annotated[int, Field(ge=2, le=32, strict=True)] = 16
@@ -191,13 +191,13 @@ class HallSettings(Settings):
     The paper names the sensor, Allegro A1302, and the converter, Arduino Nano.  Data sheet A1301-DS
     at 5 V: 1.3 mV/G, 2.5 V without a field, outputs from 0.2 V to 4.7 V, 150 µV noise up to 10 kHz.
     Converter: 10 bits of the supply (ATmega328P).  The paper gives neither magnet nor distances nor
-    rates: they are chosen, a neodymium disc (grade N42) of 15 mm by 8 mm, 11 g, as close as the
+    rates: these are chosen: a neodymium disc (grade N42) of 15 mm by 8 mm, 11 g, as close as the
     sensor allows without saturation; samples at 200 Hz, one period late through a serial link.
 
     One count of the converter is then 0.018 mm at the free length, 0.12 mm at 10 mm of compression,
     0.49 mm at 20 mm and 6.5 mm at the end of a stroke of 50 mm; the error of a length is at most
-    half a count.  Of an arm that opens beyond its free length a second magnet and sensor read that
-    side in the same way.
+    half a count.  For an arm that opens beyond its free length, a second magnet and sensor read
+    that side in the same way.
     """
 
     perfect: bool = False
@@ -212,8 +212,8 @@ class HallSettings(Settings):
     overrun: Annotated[float, Unit("m", least=0.0)] = 2e-3
     """Extension of the calibration beyond both ends of the stroke; chosen."""
     way: Length = 0.05
-    """Longest way of the magnet of a hinged arm: where the arm's end moves farther, the magnet sits
-    so much nearer to the hinge; chosen, the stroke of the paper's arms."""
+    """Longest travel of the magnet of a hinged arm: if the arm's end moves farther, the magnet is
+    that much nearer to the hinge; chosen, the stroke of the paper's arms."""
     sensitivity: Annotated[float, Unit("V/T", above=0.0)] = 13.0
     supply: Annotated[float, Unit("V", above=0.0)] = 5.0
     quiescent: Annotated[float, Unit("V", above=0.0)] = 2.5

@@ -402,13 +402,13 @@ def fly_many(
     width: int = LANES,
     progress: Callable[[float], None] | None = None,
 ) -> list[FlightRecord]:
-    """Fly many flights of models of one structure, in lanes and on several threads.
+    """Fly many flights, whose models have one structure, in lanes and on several threads.
 
     Args:
         models: One for each flight, or a single one for all.
         starts: One state for each flight.
         thrusts: Thrusts over time of all flights, of models with a `Ramp`.
-        threads: Defaults to the number of processors.
+        threads: Number of threads; by default that of processors.
         width: Lanes in a group.
         progress: Called from time to time with the share of groups done.
     """
@@ -434,7 +434,7 @@ def fly_buffers(
         buffers: Shape (groups, rows x width).
         width: Lanes in a group.
         thrusts: Thrusts over time of all flights, of models with a `Ramp`.
-        threads: Defaults to the number of processors.
+        threads: Number of threads; by default that of processors.
         progress: Called from time to time with the share of groups done.
     """
     like = TreeLayout(shape)

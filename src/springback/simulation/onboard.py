@@ -81,9 +81,9 @@ def pilot_step(pilot: Any, time: float, measurement: Any, memory: Any) -> PilotO
 
     Args:
         pilot: Settings of the pilot, a NamedTuple.
-        time: Since the start [s].
+        time: Time since the start [s].
         measurement: Output of the sensors, `springback.sensing.measurement.Measurement`.
-        memory: Memory of the pilot; a new one is returned, it is never changed in place.
+        memory: Memory of the pilot, which is never changed in place: a new one is returned.
     """
     raise TypeError(f"{type(pilot).__name__} is not a pilot; register pilot_step for it")
 
@@ -199,7 +199,7 @@ def evaluator_step(
 
     Args:
         evaluator: Settings of the evaluator, a NamedTuple.
-        time: Since the start [s].
+        time: Time since the start [s].
         state: True state of the vehicle.
         contacts: Contacts so far, from the record of the flight.
         pilot: Memory of the pilot after this tick.

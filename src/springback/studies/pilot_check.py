@@ -72,9 +72,9 @@ def check_pilot(
     """Check the properties that every pilot should have.
 
     Args:
-        pilot: As for `springback.fly`: a function, an `CompiledPilot`, or ``"file.py:name"``.
-        scenario: Whose vehicle, sensors and start are used; at rest at its start the pilot must
-            hover.  By default `quad` at [0, 0, 1] m.
+        pilot: As for `springback.fly`: a function, a `CompiledPilot`, or ``"file.py:name"``.
+        scenario: Scenario whose vehicle, sensors and start are used; at rest at its start the pilot
+            must hover.  By default `quad` at [0, 0, 1] m.
         parameters: Arguments of a function that returns the pilot, in SI.
         progress: Called with the fraction of the properties done.
 

@@ -64,20 +64,20 @@ class HystereticSettings(Settings):
     """Keys of the laws that remember the deepest depth."""
 
     plateau_force: Force | None = None
-    """Of a foam: force at which it begins to yield."""
+    """Foam: force at which it begins to yield."""
     plateau_stiffness: Annotated[float, Unit("N/m", least=0.0)] | None = None
-    """Of a foam: stiffness while it yields; by default a hundredth of `stiffness`."""
+    """Foam: stiffness while it yields; by default a hundredth of `stiffness`."""
     densification_depth: Length | None = None
-    """Of a foam: depth from which on it is pressed together."""
+    """Foam: depth from which it densifies."""
     densification_stiffness: Annotated[float, Unit("N/m", above=0.0)] | None = None
-    """Of a foam: stiffness beyond that depth; by default ten times `stiffness`."""
+    """Foam: stiffness beyond that depth; by default ten times `stiffness`."""
     loading: ForcePoints | None = None
-    """Of a table: depths and forces going in, from (0, 0)."""
+    """Table: depths and forces going in, from (0, 0)."""
     unloading: ForcePoints | None = None
-    """Of a table: depths and forces coming out, from force 0 to the last point of `loading`;
-    otherwise what comes out follows `restitution`, or is elastic."""
+    """Table: depths and forces coming out, from force 0 to the last point of `loading`; without
+    them the way out follows `restitution`, or is elastic."""
     recovers: bool = True
-    """False: what a part of a vehicle has pressed in stays so, for that part, in later contacts."""
+    """False: what a part of a vehicle has pressed in stays so in later contacts of that part."""
 
     @model_validator(mode="before")
     @classmethod
@@ -222,30 +222,30 @@ def shape_of(law: str, restitution: float | None) -> float:
 class HullSurface(HystereticSettings):
     """Surface of a hull: a spring and a damper in series with those of what it touches.
 
-    Contact laws add up as springs in series do: k^(−1/n) of both, for the same exponent n.  A hull
-    of law `foam` or `table`, or with ``in_series`` false, meets everything by its law alone, as if
-    that were rigid.
+    Contact laws combine like springs in series: k^(−1/n) of both add up, for the same exponent n.
+    A hull of law `foam` or `table`, or with ``in_series`` false, follows its own law alone in every
+    contact, as if what it touches were rigid.
     """
 
     law: Literal["power", "constant-restitution", "foam", "table"] = "power"
-    """`power` is k δⁿ; the others are as of an obstacle's surface."""
+    """`power` is k δⁿ; the others are those of an obstacle's surface."""
     stiffness: Annotated[float, Unit("", above=0.0)] | None = None
-    """k [N/mⁿ] of the hull alone, against something rigid; as text, such as ``"10 N/mm"`` where n
-    is 1, or ``"200 kN/m^1.5"``."""
+    """k [N/mⁿ] of the hull alone, against something rigid; or text such as ``"10 N/mm"`` if n is 1,
+    or ``"200 kN/m^1.5"``."""
     restitution: Annotated[float, Unit("", above=0.0, most=1.0)] | None = None
-    """Of the laws that have the same at any speed."""
+    """Restitution of the laws that have the same at any speed."""
     exponent: Annotated[float, Unit("", least=0.4, most=4.0)] = 1.5
-    """n: that of the obstacles, or the springs cannot be combined."""
+    """n; it must be that of the obstacles, or the springs cannot be combined."""
     in_series: bool = True
-    """False: obstacles are as if rigid, and may have any law; of theirs only friction counts."""
+    """False: obstacles count as rigid, and may have any law, of which only friction is used."""
     dissipation: Annotated[float, Unit("s/m", least=0.0)] = 0.0
-    """c_a of b_c = 1.5 c_a k, as of an obstacle's surface."""
+    """c_a in b_c = 1.5 c_a k, as for an obstacle's surface."""
     viscosity: Annotated[float, Unit("N s/m", least=0.0)] = 0.0
-    """b, beside a linear spring."""
+    """b of a damper beside a linear spring."""
     friction: Factor | None = None
-    """μ; with the obstacle's it makes √(μ μ').  Without it the obstacle's alone counts."""
+    """μ; with the obstacle's it makes √(μ μ').  Without it, the obstacle's alone counts."""
     slip_speed: Annotated[float, Unit("m/s", above=0.0)] | None = None
-    """Below it friction fades to zero; the larger one of both surfaces counts."""
+    """Slip speed below which friction fades to zero; the larger one of both surfaces counts."""
 
     @model_validator(mode="after")
     def _has_a_law(self) -> HullSurface:

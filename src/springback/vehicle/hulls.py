@@ -113,9 +113,9 @@ class _Hull(Settings):
     """What all hulls have."""
 
     on: Annotated[str | int, BeforeValidator(owner)] = "body"
-    """`body`, or the number of an arm, from 1, at whose end it is and with which it slides."""
+    """`body`, or the number of the arm, from 1, to whose end it is fixed, moving with it."""
     surface: HullSurface | None = None
-    """Without one the hull is rigid: the law of contact is the obstacle's alone."""
+    """Surface; without one the hull is rigid, and the law of contact is the obstacle's alone."""
 
     @property
     def remembers(self) -> bool:
@@ -150,7 +150,7 @@ class SphereHull(_Hull):
     position: Place = (0.0, 0.0, 0.0)
     radius: Length
     gimbal: Annotated[Gimbal | None, BeforeValidator(none_for_false)] = None
-    """With it the sphere turns by itself; it is then the only hull of the main body."""
+    """Bearings in which the sphere turns by itself; it is then the only hull of the main body."""
 
     @property
     def bearings(self) -> Gimbal | None:
@@ -171,15 +171,15 @@ class SphereHull(_Hull):
 
 
 class RingHull(_Hull):
-    """A circle of thin rod, of any tilt: a guard around a propeller, a roll cage's hoop."""
+    """A circle of thin rod, at any tilt: a guard around a propeller, a roll cage's hoop."""
 
     type: Literal["ring"]
     position: Place = (0.0, 0.0, 0.0)
     axis: Annotated[Triple, Unit("")] = (0.0, 0.0, 1.0)
-    """Direction across its plane, of any length."""
+    """Direction normal to its plane, of any length."""
     radius: Length
     bearing: AxisBearing | None = None
-    """With it the ring turns about its axis; it is then the only hull of the main body."""
+    """Bearing in which the ring turns about its axis; it is then the only hull of the main body."""
 
     @property
     def bearings(self) -> AxisBearing | None:
@@ -232,9 +232,9 @@ class BoxHull(_Hull):
 
     type: Literal["box"]
     position: Place = (0.0, 0.0, 0.0)
-    """Of its centre."""
+    """Position of its centre."""
     size: Annotated[Triple, Unit("m", above=0.0)]
-    """Whole lengths along its own x, y and z."""
+    """Full lengths along its own x, y and z."""
     edge_radius: NotNegative = 0.0
     """Radius of its edges, within its size."""
     roll: Angle = 0.0
@@ -271,9 +271,9 @@ class PointsHull(_Hull):
 
     type: Literal["points"]
     points: tuple[Any, ...]
-    """At least four that are not in one plane; those inside do not count [m]."""
+    """At least four points that are not in one plane; those inside do not count [m]."""
     radius: NotNegative = 0.0
-    """By which the hull of the points is made larger on all sides."""
+    """Radius by which the hull of the points is enlarged on all sides."""
 
     @model_validator(mode="before")
     @classmethod

@@ -82,9 +82,9 @@ _PROPULSION_SOURCES = {
     "propulsion.disk_radius": "chosen: 5 inch propellers; the cages of 0.11 m leave room for 8 inch"
     ", which would take a figure of merit below 0.3",
     "propulsion.disk_height": "chosen: in the plane of the cages, which protect the propellers",
-    "propulsion.stop": "chosen: none; the paper tells of no rotor that stopped",
+    "propulsion.stop": "chosen: none; the paper reports no rotor that stopped",
     "propulsion.surface_effect": "chosen: none; the paper models no effect of surfaces on thrust",
-    "limits": "chosen: none; the paper tells of nothing that broke",
+    "limits": "chosen: none; the paper reports nothing that broke",
     "propulsion.battery_energy": "chosen: 140 Wh/kg for the 0.37 kg of battery, as lithium polymer "
     "packs have (3 cells of 8.4 Ah weigh 0.65 kg: 143 Wh/kg)",
     "propulsion.usable_share": "chosen: 80 %, the usual rule for lithium polymer",

@@ -82,33 +82,33 @@ def initial_loads(limits: LoadLimits | tuple[()]) -> PeakLoads | tuple[()]:
 
 
 class Component(Settings):
-    """Something on the main body that bears so much acceleration and no more."""
+    """Something on the main body that bears acceleration up to a limit."""
 
     name: Name
     position: Annotated[Triple, Unit("m")] = (0.0, 0.0, 0.0)
-    """From the centre of the main body, body axes."""
+    """Position from the centre of the main body, body axes."""
     specific_force: Annotated[float, Unit("m/s^2", above=0.0)]
-    """Largest magnitude that it bears of what an accelerometer there would measure."""
+    """Largest specific force that it bears, as an accelerometer there would measure it."""
 
 
 class LimitSettings(Settings):
-    """What the parts of a vehicle bear.  At least one limit."""
+    """What the parts of a vehicle bear.  At least one limit is given."""
 
     guard_force: Annotated[PerArm, Unit("N", above=0.0)] | None = None
-    """Normal force on a guard, the cage and the hulls of an arm: one number, or one for each."""
+    """Normal force on a guard (cage and hulls of an arm): one number, or one for each."""
     broken_stiffness: Annotated[PerArm, Unit("", least=0.0, most=1.0)] | None = None
-    """Share of its stiffness that a guard keeps when ``guard_force`` has been passed: its contacts
-    then press with that share of their force at the same depth and rate, whatever their law.  One
-    number, or one for each.  Without it guards go on as before.
-    """
+    """Share of its stiffness that a guard keeps once ``guard_force`` has been exceeded: its
+    contacts then press with that share of their force at the same depth and rate, whatever their
+    law.  One number, or one for each.  Without it, guards go on as before."""
     arm_force: Annotated[PerArm, Unit("N", above=0.0)] | None = None
-    """Force of spring, damper and end stops along a compliant arm: one number, or one for each.  Of
-    an arm on two joints it is that along the path of either, but of a hinge with a torque."""
+    """Force of spring, damper and end stops along a compliant arm: one number, or one for each.
+    For an arm on two joints it is that along the path of either, except for a hinge with
+    ``hinge_torque``."""
     hinge_torque: Annotated[PerArm, Unit("N m", above=0.0)] | None = None
-    """The same of hinges, as a torque about them."""
+    """The same for hinges, as a torque about them."""
     components: Annotated[tuple[Component, ...], Field(max_length=MOST_COMPONENTS)] = ()
     breaks: bool = True
-    """True: a flight that passes a limit has the outcome ``broken``, and is no success."""
+    """True: a flight that exceeds a limit has the outcome ``broken``, and is not a success."""
 
     @model_validator(mode="after")
     def _limits_something(self) -> LimitSettings:

@@ -117,11 +117,11 @@ class MeasuredModel(Settings):
     """A model that mass and inertia were read from."""
 
     model: str
-    """As in `Body`."""
+    """Path of the model, as in `Body`."""
     links: tuple[Name, ...] = ()
-    """Likewise."""
+    """Its links, as in `Body`."""
     centre: Annotated[Triple, Unit("m")]
-    """Its centre of mass, from the origin of the first of these links and in its axes."""
+    """Its centre of mass, from the origin of the first of these links, in that link's axes."""
 
 
 class Body(Settings):
@@ -129,16 +129,16 @@ class Body(Settings):
 
     mass: Mass
     inertia: Annotated[tuple[tuple[float, ...], ...], _Inertia()]
-    """About the centre of mass of the main body, body axes [kg m²]; three moments or a matrix."""
+    """Inertia about its centre of mass, body axes [kg m²]; three moments or a matrix."""
     parts: MassParts = ()
-    """Points, balls, boxes and tubes, of which mass and inertia follow, in place of both."""
+    """Points, balls, boxes and tubes from which mass and inertia follow, instead of both."""
     model: str = ""
-    """A file in SDF, URDF or MJCF, relative to this one, of which mass and inertia follow."""
+    """A file in SDF, URDF or MJCF, relative to this one, from which mass and inertia follow."""
     links: Annotated[tuple[Name, ...], BeforeValidator(_one_or_more)] = ()
     """Links of that model that make up the main body, by names or patterns such as ``"rotor_*"``;
-    none: its first link and all that joints fix to it."""
+    none: its first link and all links that joints fix to it."""
     measured: MeasuredModel | None = None
-    """That model as it was read; the file is not read again where this is given."""
+    """That model as it was read; if this is given, the file is not read again."""
 
     @model_validator(mode="before")
     @classmethod
@@ -162,7 +162,7 @@ class Body(Settings):
 
     @property
     def weighed_by(self) -> str:
-        """Field that mass and inertia follow from: inertia is itself one."""
+        """Field from which mass and inertia follow; with inertia given, that itself."""
         return "parts" if self.parts else "model" if self.model else "inertia"
 
 
@@ -179,12 +179,12 @@ class Hull(Settings):
 
 
 class Vehicle(Settings):
-    """A vehicle: a main body and arms.  Rigid and compliant differ in ``arms.compliant`` only."""
+    """A vehicle: a main body and arms.  Rigid and compliant differ only in ``arms.compliant``."""
 
     name: Name = "vehicle"
     body: Body
     hull: Annotated[Hull | None, BeforeValidator(none_for_false)] = None
-    """Without one, or with false in place of a preset's, the main body has no contact."""
+    """Contact sphere of the main body; without it, or with false in place of a preset's, none."""
     hulls: tuple[HullSettings, ...] = ()
     """More hulls, on the main body or on arms, besides ``hull`` and the cages."""
     arms: Arms
@@ -193,7 +193,7 @@ class Vehicle(Settings):
     propulsion: Propulsion | None = None
     """Rotors and battery; without it, thrusts are given from outside and have no bounds."""
     limits: Annotated[LimitSettings | None, BeforeValidator(none_for_false)] = None
-    """What its parts bear; without it, or with false in place of a preset's, nothing breaks."""
+    """Limits of its parts; without it, or with false in place of a preset's, nothing breaks."""
 
     @model_validator(mode="after")
     def _hull_is_near(self) -> Vehicle:
@@ -298,7 +298,7 @@ class Vehicle(Settings):
         )
 
     def hulls_on(self, part: str | int) -> tuple[HullSettings, ...]:
-        """Those of ``hulls`` that are on the main body, "body", or on an arm, from 1."""
+        """The ``hulls`` that are on the main body, "body", or on an arm, counted from 1."""
         return tuple(one for one in self.hulls if one.on == part)
 
     def _hull_of(self, part: str | int) -> tuple[Any, ...]:
@@ -361,7 +361,7 @@ class Vehicle(Settings):
         return total
 
     def hover_thrusts(self, weight: float) -> tuple[float, ...]:
-        """A weight [N], shared by all rotors that lift; the others give nothing [N].
+        """Thrusts that share a weight [N] among all rotors that lift; the others give nothing [N].
 
         Raises:
             The problem, if no rotor lifts.
@@ -480,10 +480,10 @@ class Vehicle(Settings):
         return preload_strain(spring, arms.linear(j), arms.at("stop_stiffness", j))
 
     def lengths(self, compression: PerArm = 0.0) -> tuple[float, ...]:
-        """Arm lengths at rest [m]: free, but for a preload, which presses the stop.
+        """Arm lengths at rest [m]: free, unless a preload presses an arm against its stop.
 
         Args:
-            compression: By which they are pressed in, one for all or each [m].
+            compression: Compression of the arms, one for all or one for each [m].
         """
         if not (isinstance(compression, float) and compression == 0.0):
             count = self.arm_count

@@ -23,26 +23,24 @@ class SurfaceEffect(NamedTuple):
 
 
 class SurfaceEffectSettings(Settings):
-    """Rotors gain thrust above surfaces, and walls beside them may draw them near.
+    """Rotors gain thrust above surfaces, and walls beside them may attract them.
 
-    The gain is that of Cheeseman and Bennett, ARC R. & M. 3021, 1955.  Ceilings do nothing.
+    The gain is that of Cheeseman and Bennett, ARC R. & M. 3021, 1955.  Ceilings have no effect.
     """
 
     least_height: Annotated[float, Unit("", least=0.3)] = 0.5
-    """Of a disc above a surface, in radii, below which its gain grows no more.  The formula has a
-    pole at a quarter; at the chosen 0.5 the gain is a third.
-    """
+    """Height of a disc above a surface, in radii, below which its gain grows no further.  The
+    formula has a pole at a quarter; at the chosen 0.5 the gain is a third."""
     wall_suction: Annotated[float, Unit("", least=0.0, most=1.0)] = 0.0
-    """Force towards a wall beside a rotor, per thrust, at no distance; it falls linearly to nothing
-    at ``wall_reach``.  Some 0.09 by tests of small quadrotors in a pressure chamber (Ground,
+    """Force towards a wall beside a rotor, per thrust, at zero distance; it falls linearly to zero
+    at ``wall_reach``.  About 0.09 by tests of small quadrotors in a pressure chamber (Ground,
     Ceiling and Wall Effect Evaluation of Small Quadcopters in Pressure-controlled Environments), as
-    read by others: F = ½ C ρ n² D⁴ with C = 0.02 (1 − d/(4 R)), and a thrust of 0.11 ρ n² D⁴.
-    Second hand, and of one kind of craft: hence 0 by default.
+    quoted by others: F = ½ C ρ n² D⁴ with C = 0.02 (1 − d/(4 R)), and a thrust of 0.11 ρ n² D⁴.
+    This is second-hand, and for one kind of craft: hence 0 by default.
     """
     wall_reach: Annotated[float, Unit("", above=0.0)] = 4.0
-    """Distance of a disc's middle from a wall, in radii, beyond which that draws nothing; from the
-    same tests.
-    """
+    """Distance of a disc's middle from a wall, in radii, beyond which the wall does not attract it;
+    from the same tests."""
 
 
 def effect_or_none(value: Any) -> Any:
@@ -51,7 +49,7 @@ def effect_or_none(value: Any) -> Any:
 
 
 class Propulsion(Settings):
-    """Rotors, identical, and the battery they share.
+    """Identical rotors, and the battery that they share.
 
     The battery is needed only for hover power and hover time.
     """
@@ -61,25 +59,23 @@ class Propulsion(Settings):
     min_thrust: Annotated[float, Unit("N", least=0.0)] = 0.0
     """Minimum thrust of one rotor; 0: rotors stop but do not turn backwards."""
     time_constant: Annotated[float, Unit("s", least=0.0)] = 0.025
-    """τ of the thrust.  RotorS's Hummingbird: 12.5 ms up and 25 ms down, of which the slower; JSK's
-    aerial_robot assumes 90 ms.  At 40 ms ARQ does not always survive (`springback study why`).
-    """
+    """τ of the thrust.  RotorS's Hummingbird: 12.5 ms up, 25 ms down, of which this is the slower;
+    JSK's aerial_robot assumes 90 ms.  At 40 ms ARQ does not always survive
+    (`springback study why`)."""
     figure_of_merit: Annotated[float, Unit("", above=0.0, most=1.0)] | None = None
     """Ratio of ideal induced power to battery power: propeller, motor and controller together."""
     disk_radius: Length | None = None
-    """Radius of one propeller: of the disc in which whatever is there is hit."""
+    """Radius of one propeller: it hits whatever reaches into its disc."""
     disk_height: Annotated[float, Unit("m")] = 0.0
-    """Of that disc above the plane of the arms, along body z; the cages lie in that plane.  Of a
-    rotor that the vehicle lists, from its position along its axis.
-    """
+    """Height of that disc above the plane of the arms, in which the cages lie, along body z.  For a
+    rotor that the vehicle lists, it is from its position along its axis."""
     stop: Annotated[StopSettings | None, BeforeValidator(none_for_false)] = None
     """Rotors that stop when they are hit; without it, or with false in place of a preset's, they
     follow their commands whatever they hit.
     """
     surface_effect: Annotated[SurfaceEffectSettings | None, BeforeValidator(effect_or_none)] = None
-    """What surfaces do to rotors: thrust that grows above them, ``true`` for defaults; without it,
-    or with false in place of a preset's, they do nothing.
-    """
+    """Effects of surfaces on rotors, whose thrust grows above them: ``true`` for defaults; without
+    it, or with false in place of a preset's, there are none."""
     battery_energy: Annotated[float, Unit("J", above=0.0)] | None = None
     """Energy of the full battery, such as ``"52 Wh"``."""
     usable_share: Annotated[float, Unit("", above=0.0, most=1.0)] = 0.8

@@ -221,29 +221,28 @@ def _about_their_axes(
 
 
 class StopSettings(Settings):
-    """Rotors stop when they are hit: at their guard, the arm's cage and hulls, or in their disc.
+    """Rotors stop when they are hit: at their guard (the arm's cage and hulls) or in their disc.
 
-    Nothing guards a listed rotor on the main body: it is stopped in its disc.
+    Nothing guards a listed rotor on the main body: only hits in its disc stop it.
     """
 
     guard_force: Annotated[float, Unit("N", above=0.0)] | None = None
-    """Normal force on a guard beyond which its rotor stops; without it guards stop nothing."""
+    """Normal force on a guard beyond which its rotor stops; without it, guards stop nothing."""
     disc: Literal["ignore", "stop", "break"] | None = None
     """What something in its disc does to a rotor; by default it stops it where ``disk_radius`` is
     known.  A broken propeller gives no thrust for the rest of the flight.
     """
     delay: Annotated[float, Unit("s", least=0.0)] = 0.0
-    """From the hit until the rotor ceases to follow its command."""
+    """Time from the hit until the rotor ceases to follow its command."""
     spin_down: Annotated[float, Unit("s", least=0.0)] = 0.01
     """Time constant of the thrust of a rotor that stops.  Chosen: recordings show less than their
     sampling time, 33 ms.
     """
     others_after: Annotated[float, Unit("s", least=0.0)] | None = None
-    """From a hit until all other rotors stop; without it they turn on."""
+    """Time from a hit until all other rotors stop; without it, they keep turning."""
     restart_after: Annotated[float, Unit("s", least=0.0)] | None = None
-    """From the last hit until a rotor that has stopped follows its command again; without it, it
-    never does.
-    """
+    """Time from the last hit until a rotor that has stopped follows its command again; without it,
+    it never does."""
     rotor_inertia: Annotated[float, Unit("kg m^2", least=0.0)] = 0.0
     """J of a rotor about its axis: propeller and the part of the motor that turns.  With it the
     body receives the angular momentum of rotors that stop or change their speed.

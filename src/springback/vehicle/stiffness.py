@@ -181,7 +181,7 @@ def series_stiffness(*stiffness: Amount, exponent: float = 1.0) -> float:
         InputError: If there is none, or one of them is not positive.
     """
     if not stiffness:
-        raise InputError("stiffness must be given of one spring at least")
+        raise InputError("stiffness must be given for at least one spring")
     _checked("exponent", exponent)
     unit = "N/m" if exponent == 1.0 else f"N/m^{exponent:g}"
     names = [f"stiffness {k}" for k in range(1, len(stiffness) + 1)]

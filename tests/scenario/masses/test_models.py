@@ -307,7 +307,7 @@ BAD: dict[str, tuple[str, str, str, str]] = {
     "massless": (ROBOT, 'value="0.', 'value="0.0', ""),
     "macro": (ROBOT, "<link name=\"camera\">", "<xacro:if/><link name=\"camera\">", "is a macro"),
     "no inertial": (SDF, re.findall(r"<inertial>.*</inertial>", SDF)[0], "",
-                    ":2: link: base: inertial is missing, for which Gazebo has 1 kg and 1 kg m²"),
+                    ":2: link: base: inertial is missing; Gazebo then assumes 1 kg and 1 kg m²"),
     "automatic": (SDF, "<inertial>", '<inertial auto="true">', "inertial: of link base is automatic"),
     "no mass in SDF": (SDF, "<mass>0.9</mass>", "", ":3: inertial: mass of link base is missing"),
     "no moment in SDF": (SDF, "<iyy>0.005</iyy>", "", ":3: inertia: iyy of link base is missing"),

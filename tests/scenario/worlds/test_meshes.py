@@ -71,7 +71,7 @@ def test_a_height_map_is_level_from_black_to_white(tmp_path: Path) -> None:
     assert (one.table["size"], one.table["range"]) == ([10.0, 20.0], [0.0, 2.0])
     assert [(name.partition("/")[0], why) for name, why in found.missing] == [
         ("b", "is a height map that is not level"),
-        ("c", "hill.tif: of height maps .png, .npy are read"),
+        ("c", "hill.tif: only height maps in .png, .npy are read"),
     ]
 
 

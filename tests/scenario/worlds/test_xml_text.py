@@ -52,7 +52,7 @@ def test_any_beginning_of_a_file_is_refused(tmp_path: Path) -> None:
 def test_files_that_are_none_or_too_large(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.raises(InputError, match=r"none\.sdf: cannot be read \(No such file"):
         read_world(tmp_path / "none.sdf")
-    with pytest.raises(InputError, match=r"is of no format that is read: \.sdf, \.world"):
+    with pytest.raises(InputError, match=r"is not in a format that is read: \.sdf, \.world"):
         read_world(tmp_path / "none.blend")
     (tmp_path / "d.sdf").mkdir()
     with pytest.raises(InputError, match="is not a regular file") as refused:

@@ -1,4 +1,4 @@
-"""Meshes that bound a body: each edge has a face on either side, and all agree on what is out."""
+"""Meshes that bound a body: each edge has a face on either side, and all agree which is out."""
 
 from __future__ import annotations
 

@@ -41,9 +41,9 @@ class FormShape(AttitudeShape):
 
     type: str
     file: Annotated[str, Field(min_length=1, max_length=4096)]
-    """Its path; relative to the scenario's file."""
+    """Path of the file, relative to the scenario's file."""
     content: Annotated[str, Field(pattern=r"^(|[0-9a-f]{64})$")] = ""
-    """SHA-256 of the file.  A file of other content is refused; none: that of the file is noted."""
+    """SHA-256 of the file.  One with other content is refused; none: the file's own is recorded."""
     position: Place
 
     @model_validator(mode="after")
@@ -59,19 +59,19 @@ class FormShape(AttitudeShape):
 
 
 class HeightMap(FormShape):
-    """Ground of some height at the points of a regular grid, between them a smooth spline."""
+    """Ground with a height at each point of a regular grid, and a smooth spline between them."""
 
     type: Literal["heightmap"]
     position: Place
     """Middle of its rectangle, at height zero."""
     size: Widths | None = None
-    """Whole lengths along its own x and y, from the first to the last point ..."""
+    """Full lengths along its own x and y, from the first to the last point ..."""
     spacing: Length | None = None
-    """... or the distance of two points."""
+    """... or the distance between two points."""
     range: Heights | None = None
-    """Heights of black and white of an image; ``.npy`` holds metres."""
+    """Heights of black and white in an image; ``.npy`` holds metres."""
     depth: Length = 0.5
-    """From its lowest point to the level bottom of the body."""
+    """Depth from its lowest point to the level bottom of the body."""
 
     def check_form(self) -> None:
         """Reject a form that cannot be."""
@@ -137,11 +137,11 @@ class GridShape(FormShape):
 
 
 class MeshBody(GridShape):
-    """A body bounded by the triangles of a closed mesh, by its distance on a grid."""
+    """A body bounded by the triangles of a closed mesh; its distance is read from a grid."""
 
     type: Literal["mesh"]
     position: Place = (0.0, 0.0, 0.0)
-    """Of the mesh's own origin."""
+    """Position of the mesh's own origin."""
     scale: Annotated[float, Unit("", above=0.0)] = 1.0
     """Metres in one unit of the file: 0.001 for millimetres."""
     cell: Length | None = None
@@ -163,17 +163,17 @@ class MeshBody(GridShape):
 
 
 class OccupancyGrid(GridShape):
-    """Cells that are occupied or free, as of a map, by the distance from the occupied ones."""
+    """Cells that are occupied or free, as in a map; its distance is that from the occupied ones."""
 
     type: Literal["occupancy"]
     position: Place = (0.0, 0.0, 0.0)
-    """Of the grid's own origin: the lower corner of its first cell, unless the file names one."""
+    """Position of the grid's own origin: lower corner of its first cell, or as in the file."""
     cell: Length | None = None
     """Length of a cell; ``.npz`` files may hold it."""
     threshold: Annotated[float, Unit("", least=0.0, most=1.0)] = 0.5
     """A cell is occupied if its probability is at least this."""
     unknown: Literal["free", "occupied"] = "free"
-    """What cells are whose probability is not a number, or negative."""
+    """State of cells whose probability is not a number, or negative."""
 
     def form(self) -> GridForm:
         """Its numbers."""

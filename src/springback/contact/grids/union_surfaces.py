@@ -1,4 +1,4 @@
-"""Surface of the union of the bodies of a mesh, which may overlap, touch, or be in each other.
+"""Surface of the union of the bodies of a mesh, which may overlap, touch or be nested.
 
 CAD programs export assemblies so: a table top and legs that end in it.  Faces within another body
 bound nothing, and distances to them are none.  Triangles of bodies whose boxes touch are split to

@@ -1,4 +1,4 @@
-"""The deepest faces of several hulls, and what is read of hulls in their table."""
+"""The deepest faces of several hulls, and what is read from the table of hulls."""
 
 from __future__ import annotations
 

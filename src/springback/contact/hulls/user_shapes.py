@@ -1,4 +1,4 @@
-"""Hulls of one part of a vehicle against a shape of the user's own, which a kernel tells."""
+"""Hulls of one part of a vehicle against a shape of the user's own, given by a kernel."""
 
 from __future__ import annotations
 

@@ -30,12 +30,12 @@ NOWHERE = (0.0, 0.0, 0.0)
 
 
 class _GivenMotion(Settings):
-    """What prescribed motions have: the obstacle moves as told, whatever hits it."""
+    """What prescribed motions have: the obstacle moves as prescribed, whatever hits it."""
 
     axis: Direction = (0.0, 0.0, 1.0)
-    """About which it turns, of any length; upwards unless it is given."""
+    """Axis about which it turns, of any length; by default upwards."""
     about: Place | None = None
-    """Point of the obstacle about which it turns; its centre unless it is given."""
+    """Point about which the obstacle turns; by default its centre."""
 
     @model_validator(mode="after")
     def _has_direction(self) -> _GivenMotion:
@@ -49,23 +49,23 @@ class ConstantMotion(_GivenMotion):
 
     type: Literal["constant"]
     velocity: Velocity = NOWHERE
-    """Of the obstacle, world axes."""
+    """Velocity of the obstacle, world axes."""
     turning: Turning = 0.0
     """Angular speed about `axis`, right-handed."""
 
 
 class SineMotion(_GivenMotion):
-    """A sine: x = amplitude · sin(2π f t + φ) beside the place that is given, and θ likewise."""
+    """A sine: displacement x = amplitude · sin(2π f t + φ) from the given place, and θ likewise."""
 
     type: Literal["sine"]
     amplitude: Place = NOWHERE
-    """Of its place, world axes."""
+    """Amplitude of the displacement, world axes."""
     swing: Angle = 0.0
     """Amplitude of the angle about `axis`."""
     frequency: Annotated[float, Unit("Hz", above=0.0)]
-    """f, of place and angle."""
+    """f, of displacement and angle."""
     phase: Angle = 0.0
-    """φ, of place and angle."""
+    """φ, of displacement and angle."""
 
 
 class TableMotion(_GivenMotion):
@@ -75,9 +75,9 @@ class TableMotion(_GivenMotion):
     time: Instants
     """Instants, in order."""
     position: Places | None = None
-    """Displacement at each, from the place that is given [m]."""
+    """Displacement at each instant from the given place [m]."""
     angle: Angles | None = None
-    """Angle at each about `axis`."""
+    """Angle at each instant, about `axis`."""
 
     @model_validator(mode="after")
     def _fits(self) -> TableMotion:
@@ -101,10 +101,10 @@ class _MassiveMotion(Settings):
     """What obstacles with mass have; unless given, the inertia is that of uniform density."""
 
     mass: Mass
-    """Of the whole obstacle."""
+    """Mass of the whole obstacle."""
     inertia: Inertia | None = None
-    """About the centre of mass along the world's axes at the start, products zero; unless it is
-    given, that of uniform density."""
+    """Moments of inertia about the centre of mass, along the world's axes at the start, with zero
+    products; by default those of uniform density."""
 
 
 class FreeMotion(_MassiveMotion):
@@ -112,9 +112,9 @@ class FreeMotion(_MassiveMotion):
 
     type: Literal["free"]
     velocity: Velocity = NOWHERE
-    """Of its centre of mass at the start, world axes."""
+    """Velocity of its centre of mass at the start, world axes."""
     angular_velocity: Spin = NOWHERE
-    """At the start, world axes."""
+    """Angular velocity at the start, world axes."""
 
 
 class PendulumMotion(_MassiveMotion):
@@ -124,24 +124,24 @@ class PendulumMotion(_MassiveMotion):
     pivot: Place
     """Point about which it turns."""
     angular_velocity: Spin = NOWHERE
-    """About the pivot, world axes."""
+    """Angular velocity about the pivot at the start, world axes."""
     damping: AngularDamping = 0.0
-    """Of the pivot, against its swing.  All its spin, that about its own axis too, decays at the
-    same rate, c over its largest moment of inertia about the pivot."""
+    """Damping c of the pivot, against its swing.  All its spin, including that about its own axis,
+    decays at the same rate: c over its largest moment of inertia about the pivot."""
 
 
 class HingeMotion(_MassiveMotion):
     """A body on a hinge, with a closer: a door.
 
-    The closer is a torsion spring and damper, −k (θ − θ₀) − c θ̇.  Stops at both ends of the way
-    are stiff springs.  θ is 0 where the obstacle is placed, and within ±π.
+    The closer is a torsion spring and damper, −k (θ − θ₀) − c θ̇.  Stops at both ends of its
+    travel are stiff springs.  θ is 0 where the obstacle is placed, and within ±π.
     """
 
     type: Literal["hinge"]
     pivot: Place
-    """A point of the hinge."""
+    """A point on the hinge's axis."""
     axis: Direction = (0.0, 0.0, 1.0)
-    """Of the hinge, of any length; upwards unless it is given."""
+    """Axis of the hinge, of any length; by default upwards."""
     turning: Turning = 0.0
     """Angular speed at the start, about `axis`."""
     closer: AngularStiffness = 0.0
@@ -155,7 +155,7 @@ class HingeMotion(_MassiveMotion):
     highest: Annotated[float, Unit("rad", least=0.0)] = math.pi
     """Angle of the stop against turning forwards; 0 is that at the start."""
     stop_stiffness: AngularStiffness = STOP
-    """Of both stops."""
+    """Stiffness of both stops."""
 
     @model_validator(mode="after")
     def _is_a_hinge(self) -> HingeMotion:

@@ -1,4 +1,4 @@
-"""A solid, viewed from a ring: its lowest points, by few looks.
+"""A solid, viewed from a ring: its lowest points, found with few evaluations.
 
 Around a smooth solid the search goes in strides as long as the distance allows, and looks closely
 only where the ring is near: some 25 looks instead of 70.  That is what a pole needs, on which most

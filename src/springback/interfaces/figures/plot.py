@@ -32,12 +32,12 @@ def plot(
     """Figure of a flight over time.
 
     Args:
-        flight: With a trajectory.
+        flight: Flight with a trajectory.
         columns: Columns to draw, as for `springback.Flight.plot`; by default position, velocity,
             acceleration, arms and forces, in a figure of one size.
-        width: As there.
-        height: As there.
-        window: As there.
+        width: As for `springback.Flight.plot`.
+        height: As for `springback.Flight.plot`.
+        window: As for `springback.Flight.plot`.
 
     Raises:
         InputError: If matplotlib is not installed, the flight has no trajectory, or an argument is

@@ -40,7 +40,7 @@ def sdf_links(found: Collector, root: XmlNode) -> list[ModelLink]:
     if len(models) != 1:
         names = ", ".join(model.name for model in models[:20])
         what = f"has {len(models)} models ({names})" if models else "has no model"
-        raise InputError(f"{found.path}: {what}; mass is read of a file with one")
+        raise InputError(f"{found.path}: {what}; mass is read from a file with one")
     [robot] = models
     together = _fixed_together(robot)
     return [
@@ -128,9 +128,9 @@ def _sdf_mass(link: XmlNode) -> LinkMass:
     inertial = link.first("inertial")
     name = link.get("name")
     if inertial is None:
-        raise link.problem(f"{name}: inertial is missing, for which Gazebo has 1 kg and 1 kg m²")
+        raise link.problem(f"{name}: inertial is missing; Gazebo then assumes 1 kg and 1 kg m²")
     if inertial.get("auto") in ("true", "1"):
-        raise inertial.problem(f"of link {name} is automatic, of shapes and densities: not read")
+        raise inertial.problem(f"of link {name} is automatic, from shapes and densities: not read")
     pose = inertial.first("pose")
     mass = _child(inertial, "mass", name)
     inertia = _child(inertial, "inertia", name)

@@ -1,4 +1,4 @@
-"""Links of a robot's model, what of them belongs together, and what each weighs."""
+"""Links of a robot's model, which of them belong together, and what each weighs."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Bodies and their masses in MJCF: as they are written, or of their geoms, as MuJoCo makes them.
+"""Bodies and their masses in MJCF: as they are written, or from geoms, as in MuJoCo.
 
 Source: https://mujoco.readthedocs.io/en/stable/XMLreference.html#body-inertial, #body-geom and
 #compiler-inertiafromgeom.  What of that is not read is refused by name.
@@ -91,7 +91,7 @@ def mjcf_links(found: Collector, root: XmlNode) -> list[ModelLink]:
     if len(robots) != 1:
         names = ", ".join(one.node.get("name", "body") for one in robots[:20])
         what = f"has {len(robots)} bodies in the world ({names})" if robots else "has no body"
-        raise InputError(f"{found.path}: {what}; mass is read of a file with one robot")
+        raise InputError(f"{found.path}: {what}; mass is read from a file with one robot")
     [robot] = robots
     return list(_bodies(reader, rules, robot._replace(pose=at_origin()), True))
 
@@ -118,7 +118,7 @@ def _bodies(
     yield ModelLink(body.get("name", "body"), body, at.pose, is_fixed, mass)
     for one in inner:
         if one.node.tag in MAKERS:
-            raise one.node.problem(f"{MAKERS[one.node.tag]}: masses are not read of that")
+            raise one.node.problem(f"{MAKERS[one.node.tag]}: masses of that are not read")
         if one.node.tag == "body":
             pose = at.pose @ one.pose @ reader.pose_of(one.node, one.node.attributes)
             moves = any(parts_of(one.node, *JOINTS))

@@ -17,7 +17,7 @@ from springback.vehicle.state import State
 
 
 class PilotContext(NamedTuple):
-    """What a part is built from, if its name is that of a function of this: the nominal vehicle.
+    """The nominal vehicle, for which a function of your own builds a part of a flight.
 
     True mass and inertia, payload and model errors are not in it, as they are unknown on board.
     """

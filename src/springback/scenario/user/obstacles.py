@@ -228,9 +228,9 @@ class _Sampled:
             if change > STEEP * stride + STEP and steep is None:
                 steep = (
                     point,
-                    f"changes by {change:.4g} m on a way of {stride:.4g} m; a distance changes by "
-                    "no more than the way: divide a function that is zero on the surface by the "
-                    "length of its gradient near the surface, and farther away by the largest "
+                    f"changes by {change:.4g} m over {stride:.4g} m; a distance changes by no more "
+                    "than the length of the path: divide a function that is zero on the surface by "
+                    "the length of its gradient near the surface, and farther away by the largest "
                     "that its gradient has anywhere",
                 )
             low = high

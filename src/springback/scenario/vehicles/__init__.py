@@ -1,1 +1,1 @@
-"""Vehicles that can be flown and are seldom meant: guards in each other, sizes, springs."""
+"""Vehicles that can be flown but are hardly intended: overlapping guards, sizes, springs."""

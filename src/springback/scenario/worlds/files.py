@@ -81,7 +81,7 @@ def _content(
     suffix = path.suffix.lower()
     if suffix not in SUFFIXES:
         raise InputError(
-            f"{shown_value(str(path))}: is of no format that is read: {', '.join(SUFFIXES)}"
+            f"{shown_value(str(path))}: is not in a format that is read: {', '.join(SUFFIXES)}"
         )
     found = Collector(path, search, kinds)
     if bounds and suffix != ".json":

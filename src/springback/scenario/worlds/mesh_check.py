@@ -1,4 +1,4 @@
-"""Meshes of a scenario: sizes that are seldom meant, and what is said while grids are made."""
+"""Meshes of a scenario: sizes that are hardly intended, and progress while grids are made."""
 
 from __future__ import annotations
 

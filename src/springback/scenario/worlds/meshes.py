@@ -71,7 +71,7 @@ def add_relief(
         found.leave_out(name, path)
         return
     if path.suffix.lower() not in RELIEFS:
-        found.leave_out(name, f"{path.name}: of height maps {', '.join(RELIEFS)} are read")
+        found.leave_out(name, f"{path.name}: only height maps in {', '.join(RELIEFS)} are read")
         return
     up = pose.turn[:, 2]
     if math.hypot(up[0], up[1]) > LEVEL or up[2] < 0.0:

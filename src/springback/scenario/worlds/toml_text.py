@@ -26,18 +26,19 @@ def read_world(
 
     Args:
         path: SDF or Gazebo world, MJCF, URDF, world of RotorPy, OctoMap, mesh, height map or grid.
-        surface: Preset or settings of all elements but those named in ``surfaces``.
+        surface: Preset or settings for all elements but those named in ``surfaces``.
         surfaces: Presets or settings by patterns of names, such as ``{"shelf*": "mat"}``.
         search: Further folders for what the file includes.
-        position: Of its origin [m].
-        yaw: Of its x axis [rad], or with a unit.
+        position: Position of its origin [m].
+        yaw: Yaw of its x axis [rad], or text with a unit.
         friction: ``file`` takes coefficients of friction from the file, ``surface`` does not.
         bounds: True if the bounds of a world of RotorPy are walls.
-        missing: ``refuse`` makes an error of what cannot be represented.
+        missing: ``refuse`` raises an error for what cannot be represented.
 
     Returns:
-        An obstacle for a scenario; its ``parts`` are named obstacles, ``unrepresented`` lists by
-        name what cannot be represented, and why, ``remarks`` what is represented differently.
+        An obstacle for a scenario: its ``parts`` are named obstacles, ``unrepresented`` lists what
+        cannot be represented, by name and with the reason, ``remarks`` what is represented
+        differently.
 
     Raises:
         InputError: One line, if the file cannot be read or is wrong.

@@ -1,4 +1,4 @@
-"""XML of strangers: read to plain nodes that know their line, within limits.
+"""Untrusted XML: read into plain nodes that know their line, within limits.
 
 Document types are refused, and with them all entities of one's own, so that no file can name other
 files or grow as it is read.

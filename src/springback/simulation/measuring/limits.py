@@ -1,6 +1,6 @@
-"""Largest loads of what a vehicle bears only so much of, step by step.
+"""Largest loads on the parts of a vehicle that have limits, step by step.
 
-They are looked at where a step begins, after the record of the same instant; between instants no
+They are evaluated where a step begins, after the record of the same instant; between instants no
 peak is interpolated.
 """
 

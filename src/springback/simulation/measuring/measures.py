@@ -130,7 +130,7 @@ MEASURES = {
     "penetration": ("m", "whole flight: deepest penetration of a guard, or the main body"),
     "arm_stroke": ("m", "whole flight: largest compression of an arm"),
     "arm_extension": ("m", "whole flight: largest extension of an arm past its free length"),
-    "impulse_x": ("N s", "whole flight: of all contact forces on the vehicle, world X"),
+    "impulse_x": ("N s", "whole flight: impulse of all contact forces on the vehicle, world X"),
     "impulse_y": ("N s", "the same, world Y"),
     "impulse_z": ("N s", "the same, world Z"),
     "contacts": ("", "number of times that the vehicle came into contact"),
@@ -144,7 +144,7 @@ MEASURES = {
     "rotors_stopped": ("", "number of rotors that stopped at least once; likewise"),
     "guard_margin": (
         "",
-        "what the most loaded guard could bear more, over its limit; needs vehicle.limits",
+        "what the most loaded guard could still bear, over its limit; needs vehicle.limits",
     ),
     "arm_margin": ("", "the same for the force along an arm"),
     "component_margin": ("", "the same for the specific force at a component"),

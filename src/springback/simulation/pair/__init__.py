@@ -1,1 +1,1 @@
-"""Two vehicles in one world, that can strike each other."""
+"""Two vehicles in one world that can hit each other."""

@@ -314,20 +314,20 @@ class SlideJoint(_WaySettings):
     way: ClassVar[str] = "m"
     type: Literal["slide"]
     direction: Annotated[TriplePerArm, Unit("")] = (-1.0, 0.0, 0.0)
-    """In which the end of an arm moves as it is pressed in, in its axes; of any length."""
+    """Direction in which the arm's end moves as it is pressed in, arm axes; of any length."""
     travel: Annotated[PairPerArm, Unit("m")]
-    """From the stop at which the arm is longest, at most 0, to that at which it is pressed in."""
+    """Positions of its stops: first, at most 0, with the arm longest, then with it pressed in."""
     stiffness: Annotated[PerArm, Unit("N/m", least=0.0)] = 0.0
     quadratic: Annotated[PerArm, Unit("N/m^2", least=0.0)] = 0.0
-    """Of a force k₂ x |x| besides."""
+    """k₂ of an additional force k₂ x |x|."""
     damping: Annotated[PerArm, Unit("N s/m", least=0.0)] = 0.0
     preload: Annotated[PerArm, Unit("N", least=0.0)] = 0.0
-    """Force that holds the arm at its stop until more presses it in."""
+    """Force that holds the arm at its stop until a larger one presses it in."""
     play: Annotated[PerArm, Unit("m", least=0.0)] = 0.0
-    """Way to either side before the spring acts."""
+    """Distance to either side before the spring acts."""
     table: Annotated[Points | tuple[Points, ...] | None, BeforeValidator(_points("m", "N"))] = None
-    """Ways and forces in place of the stiffness, from (0, 0); the same to either side.  A list of
-    tables is one for each arm, an empty one for an arm that has a stiffness."""
+    """Displacements and forces instead of the stiffness, from (0, 0); the same to either side.  A
+    list of tables has one for each arm, an empty one for an arm that has a stiffness."""
     latch: SlideLatch | None = None
     """What holds the arm stiffly at its free length until a force opens it."""
 
@@ -353,24 +353,24 @@ class HingeJoint(_WaySettings):
     way: ClassVar[str] = "rad"
     type: Literal["hinge"]
     position: Annotated[TriplePerArm, Unit("m")] = (0.0, 0.0, 0.0)
-    """A point of the hinge's axis, in the axes of the arm."""
+    """A point on the hinge's axis, in the axes of the arm."""
     axis: Annotated[TriplePerArm, Unit("")]
-    """About which the arm turns as it is pressed in, right-handed; of any length."""
+    """Axis about which the arm turns as it is pressed in, right-handed; of any length."""
     travel: Annotated[PairPerArm, Unit("rad")]
-    """From the stop at which the arm is longest, at most 0, to that at which it is pressed in."""
+    """Angles of its stops: first, at most 0, with the arm longest, then with it pressed in."""
     stiffness: Annotated[PerArm, Unit("N m/rad", least=0.0)] = 0.0
     quadratic: Annotated[PerArm, Unit("N m/rad^2", least=0.0)] = 0.0
-    """Of a torque κ₂ φ |φ| besides."""
+    """κ₂ of an additional torque κ₂ φ |φ|."""
     damping: Annotated[PerArm, Unit("N m s/rad", least=0.0)] = 0.0
     preload: Annotated[PerArm, Unit("N m", least=0.0)] = 0.0
-    """Torque that holds the arm at its stop until more presses it in."""
+    """Torque that holds the arm at its stop until a larger one presses it in."""
     play: Annotated[PerArm, Unit("rad", least=0.0)] = 0.0
     """Angle to either side before the spring acts."""
     table: Annotated[Points | tuple[Points, ...] | None, BeforeValidator(_points("rad", "N m"))] = (
         None
     )
-    """Angles and torques in place of the stiffness, from (0, 0); the same to either side.  A list
-    of tables is one for each arm, an empty one for an arm that has a stiffness."""
+    """Angles and torques instead of the stiffness, from (0, 0); the same to either side.  A list of
+    tables has one for each arm, an empty one for an arm that has a stiffness."""
     latch: HingeLatch | None = None
     """What holds the arm stiffly at its free position until a torque opens it."""
 
@@ -426,10 +426,10 @@ class _FirstSettings(Settings):
     """What a joint has that is on the main body."""
 
     rotors: Literal["arm", "body"] = "arm"
-    """Whether the axis of a rotor turns with its arm, or remains that of the body."""
+    """`arm`: a rotor's axis turns with its arm.  `body`: it keeps its direction in the body."""
     second: SecondSettings | None = None
-    """Another joint that this one carries, with its own spring and travel; its vectors are those
-    of the free arm.  None: the arm moves one way."""
+    """Another joint that this one carries, with its own spring and travel; its vectors are those of
+    the free arm.  None: the arm has this joint only."""
 
     @property
     def follows(self) -> float:

@@ -41,7 +41,7 @@ class _LatchSettings(Settings):
                 raise problem(f"has {len(value)} entries for {count} arms", name)
         if not any(self.holds(j) > 0.0 for j in range(count)):
             raise problem(
-                f"must be more than 0 {self.unit}, of one arm at least (got 0)", self.load
+                f"must be more than 0 {self.unit}, for at least one arm (got 0)", self.load
             )
 
 
@@ -51,17 +51,17 @@ class SlideLatch(_LatchSettings):
     load, unit = "force", "N"
 
     force: Annotated[PerArm, Unit("N", least=0.0)]
-    """At which it opens; in a list 0 for an arm without."""
+    """Force at which it opens; in a list, 0 for an arm without a latch."""
     travel: Annotated[PerArm, Unit("m", above=0.0)]
-    """By which it yields before it opens."""
+    """Travel by which it yields before it opens."""
 
 
 class HingeLatch(_LatchSettings):
-    """Latch of a hinge, as that of a slide."""
+    """Latch of a hinge, like that of a slide."""
 
     load, unit = "torque", "N m"
 
     torque: Annotated[PerArm, Unit("N m", least=0.0)]
-    """At which it opens; in a list 0 for an arm without."""
+    """Torque at which it opens; in a list, 0 for an arm without a latch."""
     travel: Annotated[PerArm, Unit("rad", above=0.0)]
     """Angle by which it yields before it opens."""

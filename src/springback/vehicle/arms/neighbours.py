@@ -20,7 +20,7 @@ TOGETHER = 1e-9
 
 
 class NeighbourSettings(Settings):
-    """Springs and dampers from each arm's end to the next, all around; free at rest."""
+    """Springs and dampers from each arm's end to the next, all around; unstressed at rest."""
 
     stiffness: Annotated[float, Unit("N/m", above=0.0)]
     damping: Annotated[float, Unit("N s/m", least=0.0)] = 0.0

@@ -80,7 +80,7 @@ class Arms(Settings):
     cages: bool = True
     """False: these circles touch nothing, only hulls do; pilots still locate contacts by them."""
     compliant: Annotated[bool | tuple[bool, ...], BeforeValidator(flags)] = True
-    """True: the arm slides against its spring.  False: it is locked, the vehicle rigid there."""
+    """True: the arm slides against its spring.  False: it is locked and rigid."""
     stiffness: Annotated[PerArm, Unit("N/m", above=0.0)] = 5e3
     damping: Annotated[PerArm, Unit("N s/m", least=0.0)] = 0.0
     stroke: Annotated[PerArm, Unit("m", above=0.0)] = 0.05
@@ -91,8 +91,8 @@ class Arms(Settings):
     stop_dissipation: Annotated[PerArm, Unit("s/m", least=0.0)] = 0.5
     """Coefficient d of the stops' force k δ (1 + d δ̇)."""
     neighbours: Annotated[NeighbourSettings | None, BeforeValidator(none_for_false)] = None
-    """Springs between the ends of arms that follow each other; without it, or with false in place
-    of a preset's, arms move by themselves."""
+    """Springs between the ends of neighbouring arms; without it, or with false in place of a
+    preset's, arms move independently."""
     torque_ratio: Annotated[PerArm, Unit("m", least=0.0)] = 0.0
     """c_τ, rotor torque per unit thrust."""
     spin: Annotated[tuple[int, ...] | None, BeforeValidator(_signs)] = None
@@ -187,8 +187,8 @@ class Arms(Settings):
             share = smallest([independence(way) for way in self._both_ways(j)])
             if share < LEAST_INDEPENDENCE:
                 raise problem(
-                    f"moves the end of arm {j + 1} along itself or hardly another way than the "
-                    "first does, somewhere in its travel: the sine of the angle between both, "
+                    f"moves the end of arm {j + 1} along itself or in nearly the same direction as "
+                    "the first does, somewhere in its travel: the sine of the angle between both, "
                     f"times their lengths, must be at least {LEAST_INDEPENDENCE:g} (it is "
                     f"{share:.3g})",
                     "axis" if isinstance(second, SecondHinge) else "direction",

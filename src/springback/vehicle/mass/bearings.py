@@ -20,9 +20,9 @@ class Bearings(Settings):
     """Field of its mass."""
 
     damping: Annotated[float, Unit("N m s/rad", least=0.0)] = 0.0
-    """Of the bearings."""
+    """Damping of the bearings."""
     friction: Annotated[float, Unit("N m", least=0.0)] = 0.0
-    """Dry friction of the bearings, whatever the speed."""
+    """Dry friction of the bearings, the same at any speed."""
 
     @property
     def turning_mass(self) -> float:
@@ -38,7 +38,7 @@ class Gimbal(Bearings):
     mass_field = "shell_mass"
 
     shell_mass: Mass
-    """Of a thin shell, I_s = 2/3 m r²: part of ``body.mass``, but not of ``body.inertia``."""
+    """Mass of a thin shell, I_s = 2/3 m r²: part of ``body.mass``, but not of ``body.inertia``."""
 
 
 class AxisBearing(Bearings):
@@ -48,7 +48,8 @@ class AxisBearing(Bearings):
     mass_field = "ring_mass"
 
     ring_mass: Mass
-    """Of a thin ring, I_s = m r²: part of ``body.mass``, and of ``body.inertia`` as if held."""
+    """Mass of a thin ring, I_s = m r²: part of ``body.mass`` and, as if held, of
+    ``body.inertia``."""
 
 
 def check_rest(

@@ -30,10 +30,10 @@ class _MassivePart(Settings):
     """Something of a main body that has mass."""
 
     name: Name = ""
-    """For yourself."""
+    """Name, for your own reference."""
     mass: Mass
     position: Annotated[Triple, Unit("m")] = (0.0, 0.0, 0.0)
-    """Of its middle, from the centre of mass of the main body, body axes."""
+    """Position of its middle, from the centre of mass of the main body, body axes."""
 
     def own_inertia(self) -> Array:
         """About its own centre, body axes [kg m²], shape (3, 3)."""
@@ -59,7 +59,7 @@ class BallMass(_MassivePart):
 
     type: Literal["ball"]
     radius: Length
-    """Of the ball."""
+    """Radius of the ball."""
 
     def own_inertia(self) -> Array:
         """2/5 m r² about each axis."""
@@ -72,7 +72,7 @@ class BoxMass(_MassivePart):
 
     type: Literal["box"]
     size: Annotated[Triple, Unit("m", above=0.0)]
-    """Along its own axes, which are those of the body unless it is turned."""
+    """Lengths along its own axes, which are those of the body unless it is turned."""
     roll: Angle = 0.0
     pitch: Angle = 0.0
     yaw: Angle = 0.0
@@ -91,13 +91,13 @@ class TubeMass(_MassivePart):
 
     type: Literal["tube"]
     start: Annotated[Triple, Unit("m")]
-    """One end, in place of ``position``."""
+    """One end, instead of ``position``."""
     end: Annotated[Triple, Unit("m")]
     """The other end."""
     radius: Annotated[float, Unit("m", least=0.0)] = 0.0
     """Outer radius."""
     inner_radius: Annotated[float, Unit("m", least=0.0)] = 0.0
-    """Of what is hollow; 0 for a rod."""
+    """Radius of the hollow inside; 0 for a rod."""
 
     @model_validator(mode="after")
     def _is_a_tube(self) -> TubeMass:

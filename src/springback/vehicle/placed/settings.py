@@ -37,19 +37,19 @@ class RotorSettings(Settings):
     on: Annotated[str | int, BeforeValidator(owner)] = "body"
     """``body``, or the number of an arm, from 1."""
     position: Annotated[Triple, Unit("m")] | None = None
-    """Of the middle of its disc, from the centre of the main body, or from the end of its arm while
-    that is free, body axes; at the end of an arm it may be left out."""
+    """Position of the middle of its disc, body axes, from the centre of the main body or from the
+    end of its arm, at rest; at the end of an arm it may be left out."""
     axis: Annotated[Triple, Unit("")] = (0.0, 0.0, 1.0)
     """Direction of its thrust, of any length, body axes while the arm is free."""
     spin: Literal[-1, 1] | None = None
     """Sign of its torque about that axis; alternating −, + in the order of the list by default."""
     torque_ratio: Annotated[float, Unit("m", least=0.0)] | None = None
-    """c_τ; that of its arm by default, of arm 1 on the main body."""
+    """c_τ; by default that of its arm, or that of arm 1 on the main body."""
 
     @model_validator(mode="after")
     def _has_place(self) -> RotorSettings:
         if self.position is None and self.on == "body":
-            raise problem("is missing: of a rotor on the main body it must be given", "position")
+            raise problem("is missing: it must be given for a rotor on the main body", "position")
         if not hypot(*self.axis) > 0.0:
             raise problem(
                 "must not be zero: it is the direction of the thrust "
