@@ -163,7 +163,7 @@ class ResponseSettings(Settings):
     vertical_acceleration: Annotated[float, Unit("m/s^2", above=0.0)] = 4.0
     """`time-optimal`: bound along Z. Chosen: a third of the former, as tilting costs lift."""
     away: Annotated[float, Unit("m/s^2", above=0.0)] = 0.75 * 9.81
-    """`staged`: acceleration, 0.75 g. McGill-AML/Spiri_recovery, as are the four below."""
+    """`staged`: acceleration, 0.75 g. McGill-AML/Spiri_recovery, as are the numbers below."""
     damping: Annotated[float, Unit("1/s", least=0.0)] = 5.0
     """`staged`: damping of the vertical speed."""
     stage_tilt: Annotated[float, Unit("rad", above=0.0)] = 0.15
