@@ -12,6 +12,7 @@ run:
 	@tools/environment all
 	@echo springback doctor --compile, beside the reproduction
 	@$(BIN)/springback doctor --compile --quiet & ahead=$$!; \
+	trap 'kill $$ahead 2>/dev/null; exit 130' INT TERM; \
 	$(BIN)/springback reproduce --out $(OUT) --force || { kill $$ahead; exit 1; }; \
 	echo "the report is ready; rarer kinds of flight still compile, which may be interrupted"; \
 	wait $$ahead

@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.batch.threads import single_threads
+from springback.batch.worker_processes import end_with_parent, single_threads
 from springback.identification.design.coverage import (
     SyntheticFit,
     coverage_of,
@@ -225,7 +225,7 @@ def main() -> None:
     print("se in % (cover of 95 % in %; median error in %; scatter over se); clocks' se in ms; "
           "misfits said in %; without a fit; seconds each")  # fmt: skip
     begun = time.time()
-    pool = ProcessPoolExecutor(given.processes, mp_context=get_context("spawn"))
+    pool = ProcessPoolExecutor(given.processes, get_context("spawn"), end_with_parent)
     with single_threads(), pool:
         for name in filter(None, given.rows.split(",")):
             jobs = [(name, seed) for seed in range(given.sets)]

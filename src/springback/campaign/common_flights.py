@@ -14,6 +14,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wai
 from multiprocessing import get_context
 from typing import Any, NamedTuple
 
+from springback.batch.worker_processes import end_with_parent
 from springback.campaign.compiler_times import (
     FlightKind,
     compile_kind,
@@ -146,6 +147,7 @@ def _by_world(scenarios: Mapping[str, Mapping[str, Any]]) -> list[dict[str, Mapp
 
 
 def _report_to(compiled: Any) -> None:
+    end_with_parent()
     _REPORTS.append(compiled)
 
 

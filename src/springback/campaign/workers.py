@@ -8,10 +8,8 @@ from __future__ import annotations
 
 import contextlib
 import multiprocessing
-import os
 import signal
 import sys
-import threading
 import traceback
 from collections import Counter, deque
 from collections.abc import Callable, Generator, Iterable, Iterator
@@ -20,7 +18,7 @@ from multiprocessing.context import SpawnProcess
 from typing import Any, NamedTuple
 
 from springback.batch.scenarios import Device
-from springback.batch.threads import single_threads
+from springback.batch.worker_processes import end_with_parent, single_threads
 from springback.campaign.errors import CampaignError
 from springback.campaign.flying import Chunk, ChunkRows, fly_chunk
 from springback.campaign.store import source
@@ -85,7 +83,7 @@ def serve(line: Connection, text: str, device: Device) -> None:
     """Worker loop: fly chunks from the pipe until the parent closes it."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # Ctrl-C is handled by the parent
     warn_in_one_line()
-    threading.Thread(target=_leave_with_parent, daemon=True).start()
+    end_with_parent()
     with contextlib.suppress(EOFError, OSError):
         line.send(source())
         while True:
@@ -101,13 +99,6 @@ def serve(line: Connection, text: str, device: Device) -> None:
 
 #: Program of a worker.
 SERVED = serve
-
-
-def _leave_with_parent() -> None:
-    parent = multiprocessing.parent_process()
-    if parent is not None:
-        wait([parent.sentinel])
-        os._exit(1)
 
 
 def fly_locally(

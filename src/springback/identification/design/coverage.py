@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.batch.sampled import sampled_flights
-from springback.batch.threads import single_threads
+from springback.batch.worker_processes import end_with_parent, single_threads
 from springback.errors import InputError
 from springback.identification.fits import base_scenario, fields_of_plan, result_of
 from springback.identification.observations.likelihood import ImpactProblem
@@ -121,7 +121,7 @@ def check_coverage(
     flown, lead = with_lead(plan, at_centres(tables, fields, scenario))
     outcomes = [fitted_set(plan, tables, fields, 0, truth=flown)]
     count = processes or os.cpu_count() or 1
-    with ProcessPoolExecutor(count, mp_context=get_context("spawn")) as pool:
+    with ProcessPoolExecutor(count, get_context("spawn"), end_with_parent) as pool:
         jobs = [(plan, tables, fields, seed, flown) for seed in range(1, sets)]
         with single_threads():  # all processes start with the first jobs
             fitted = pool.map(_job, jobs, chunksize=1)

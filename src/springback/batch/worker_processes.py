@@ -1,10 +1,13 @@
-"""Threads of worker processes."""
+"""Worker processes: their threads for linear algebra, and their end."""
 
 from __future__ import annotations
 
 import contextlib
+import multiprocessing
 import os
+import threading
 from collections.abc import Iterator
+from multiprocessing.connection import wait
 
 #: Numbers of threads of the libraries of linear algebra.
 THREADS = ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS")
@@ -26,3 +29,19 @@ def single_threads() -> Iterator[None]:
                 del os.environ[name]
             else:
                 os.environ[name] = value
+
+
+def end_with_parent() -> None:
+    """End this worker process as soon as the process that started it has ended, however it did.
+
+    A worker of a pool whose parent was killed would otherwise wait for work for ever, with all its
+    memory.
+    """
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+
+
+def _end_with_parent() -> None:
+    parent = multiprocessing.parent_process()
+    if parent is not None:
+        wait([parent.sentinel])
+        os._exit(1)
