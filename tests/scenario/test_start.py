@@ -201,6 +201,21 @@ def test_to_hold_is_to_stay_where_it_starts() -> None:
     ]  # fmt: skip
 
 
+def test_to_hold_is_to_keep_the_yaw_of_the_start() -> None:
+    """A robot that starts turned by 180° does not turn back at once, unless its reference says so."""
+    hold = {"vehicle": "arq", "reference": {"type": "hold"}}
+    turned = hold | {"start": {"position": [0, 0, 1], "yaw": "180 deg"}}
+    told = turned | {"reference": {"type": "hold", "yaw": 0.1}}
+    other = scenario_from(
+        hold | {"second": turned | {"start": {"position": [2, 0, 1], "yaw": "90 deg"}}}
+    )
+    assert other.second is not None
+    held = [scenario_from(one).reference for one in (hold, turned, told)] + [other.second.reference]
+    assert [one.yaw for one in nonempty(held)] == [0.0, np.pi, 0.1, np.pi / 2]
+    with pytest.raises(InputError, match=r"start\.yaw: "):
+        scenario_from(hold | {"start": {"yaw": "1 m"}})
+
+
 # -- of obstacles ----------------------------------------------------------------------------------
 
 

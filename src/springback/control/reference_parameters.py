@@ -45,6 +45,7 @@ class HoldSettings(Settings):
     position: Place = HOME
     """Position; by default ``start.position``, if that is given."""
     yaw: Angle = 0.0
+    """Yaw; by default ``start.yaw``, if that is given."""
 
     def reference(self, limits: Limits, reach: Reach) -> Polynomials:
         """Reference for the kernels."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -26,8 +26,6 @@ from springback.vehicle.materials import MATERIALS
 
 #: A surface of the user's own.
 _OWN_SURFACE = '{ preset = "wall", stiffness = 2e6, friction = 0.6 }'
-#: Position in the world.
-POSITION = Unit("m")
 #: Duration of a flight with a run-up that does not say how long it lasts [s]: as in the paper, time
 #: for the run-up, the impact and the recovery.
 RUN_UP_DURATION = 6.0
@@ -313,28 +311,29 @@ def _second(given: Any, scenario: Mapping[str, Any]) -> Any:
     return {**air, **_of_a_vehicle(others), **surface}
 
 
-#: Key of the place at which references begin, by their types.
-_PLACES = {"run-up": "start", "hold": "position"}
+#: How values of a start are read.
+_START: dict[str, Callable[[Any], Any]] = {"position": Unit("m").triple, "yaw": Unit("rad").read}
+#: Keys of references, by their types, and of the start, whose value they have by default.
+_FROM_START = {"run-up": {"start": "position"}, "hold": {"position": "position", "yaw": "yaw"}}
 
 
 def _with_its_start(given: Mapping[str, Any]) -> dict[str, Any]:
-    """A raw scenario whose reference begins at ``start.position``, unless it says where.
+    """A raw scenario whose reference begins as its start does, unless it says otherwise.
 
-    A run-up begins there without a ``start`` of its own, and to hold is to stay there without a
-    ``position``.
+    A run-up begins at ``start.position``; to hold is to stay there, and to keep ``start.yaw``.
     """
     result, reference, start = dict(given), given.get("reference"), given.get("start")
     if not isinstance(reference, Mapping) or not isinstance(start, Mapping):
         return result
-    kind = reference.get("type")
-    place = _PLACES.get(kind) if isinstance(kind, str) else None
-    if place is None or place in reference or "position" not in start:
-        return result
-    try:
-        position = POSITION.triple(start["position"])
-    except PydanticCustomError:  # reported where it was written
-        return result
-    return {**result, "reference": {**reference, place: position}}
+    kind, taken = reference.get("type"), dict[str, Any]()
+    for key, source in _FROM_START.get(kind, {}).items() if isinstance(kind, str) else ():
+        if key in reference or source not in start:
+            continue
+        try:
+            taken[key] = _START[source](start[source])
+        except PydanticCustomError:  # reported where it was written
+            continue
+    return {**result, "reference": {**reference, **taken}}
 
 
 def _with_its_duration(given: Mapping[str, Any]) -> dict[str, Any]:
