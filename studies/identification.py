@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.batch.worker_processes import end_with_parent, single_threads
+from springback.batch.workers import end_with_parent, single_threads
 from springback.identification.design.coverage import (
     SyntheticFit,
     coverage_of,

@@ -14,7 +14,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, wai
 from multiprocessing import get_context
 from typing import Any, NamedTuple
 
-from springback.batch.worker_processes import end_with_parent
+from springback.batch.workers import end_with_parent
 from springback.campaign.compiler_times import (
     FlightKind,
     compile_kind,

@@ -18,7 +18,7 @@ from multiprocessing.context import SpawnProcess
 from typing import Any, NamedTuple
 
 from springback.batch.scenarios import Device
-from springback.batch.worker_processes import end_with_parent, single_threads
+from springback.batch.workers import end_with_parent, single_threads
 from springback.campaign.errors import CampaignError
 from springback.campaign.flying import Chunk, ChunkRows, fly_chunk
 from springback.campaign.store import source

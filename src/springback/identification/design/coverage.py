@@ -19,7 +19,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.batch.sampled import sampled_flights
-from springback.batch.worker_processes import end_with_parent, single_threads
+from springback.batch.workers import end_with_parent, single_threads
 from springback.errors import InputError
 from springback.identification.fits import base_scenario, fields_of_plan, result_of
 from springback.identification.observations.likelihood import ImpactProblem

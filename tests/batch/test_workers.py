@@ -15,7 +15,7 @@ PARENT = """
 import os, time
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
-from springback.batch.worker_processes import end_with_parent
+from springback.batch.workers import end_with_parent
 from springback.campaign.common_flights import _report_to
 
 if __name__ == "__main__":
