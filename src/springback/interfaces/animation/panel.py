@@ -52,7 +52,7 @@ SHADES = ("#B9C0C8", "#CDBFAF", "#B3C6BA", "#C6BBCE", "#B2C6D1", "#D3BFBD")
 LIGHTER = 0.6
 """Chosen: share of white in the colour of bodies in front of and behind that plane."""
 FAR = 30.0
-"""Size of half planes, larger than any view [m]."""
+"""Size of half planes beyond the flight, larger than any view [m]."""
 THRUST_BAR = 0.10
 """Chosen: length of the bar of a rotor's maximum thrust [m]."""
 SHAFT, BARB, HEAD = 0.006, 0.018, 0.035
@@ -137,7 +137,12 @@ class ScenePanel:
     def _face(self, thing: Drawable, colour: str, edge: dict[str, Any]) -> None:
         depths = (0.0, thing.thickness) if thing.thickness else (0.0,)
         for depth, fill in zip(depths, (colour, MATTER["wall"]), strict=False):
-            self._area(thing, functools.partial(_behind, depth), fc=fill, **edge)
+            self._area(thing, functools.partial(_behind, depth, self._far()), fc=fill, **edge)
+
+    def _far(self) -> float:
+        """Size of half planes: they are under all of the flight [m]."""
+        away = [np.abs(scene.position - self.view.through).max() for scene in self.scenes]
+        return FAR + 2.0 * float(max(away))
 
     def _area(self, thing: Drawable, outlines: Outlines, **look: Any) -> None:
         """Area within the outlines of an obstacle, which change if it moves."""
@@ -313,9 +318,9 @@ def width_of(arm: ArmShape) -> float:
     return 1.2 if arm.compliant and not is_hinged(arm) else 3.0
 
 
-def _behind(depth: float, thing: Drawable, view: ViewPlane) -> list[Array]:
+def _behind(depth: float, far: float, thing: Drawable, view: ViewPlane) -> list[Array]:
     """Outline of what is behind a face by more than a depth [m]; none if it is seen flat on."""
-    area = half_plane(thing, view, depth, FAR)
+    area = half_plane(thing, view, depth, far)
     return [] if area is None else [np.vstack([area, area[:1]])]
 
 
