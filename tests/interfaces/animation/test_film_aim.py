@@ -134,3 +134,17 @@ def test_ground_is_below_a_robot_that_flies_far(flat: Scene) -> None:
     [area] = [one for one in side.ax.patches if isinstance(one, PathPatch)]
     corners = [(x, 0.45) for x in side.ax.get_xlim()]
     assert all(area.get_path().contains_point(one) for one in nonempty(corners))
+
+
+def test_impacts_after_the_end_of_a_film_are_told(flat: Scene) -> None:
+    """By their number and when; a film up to the end that is told holds them."""
+    [(begin, end)] = flat.impacts
+    one = replace(flat, impacts=((begin, end), (begin + 0.9, end + 0.9)))
+    two = replace(one, impacts=(*one.impacts, (begin + 2.0, begin + 2.1234)))
+    within = replace(flat, impacts=((begin, end), (begin + 0.7, begin + 0.95)))
+    assert timing.impacts_left_out([flat]) == timing.impacts_left_out([within]) == ""
+    assert "a later impact, 0.9 s after the first touch, is not" in timing.impacts_left_out([one])
+    told = timing.impacts_left_out([two])
+    assert told == (
+        "2 later impacts, from 0.9 s after the first touch on, are not in it: --to 2.16 shows them"
+    )
