@@ -116,7 +116,8 @@ class UserScenario:
         Nets keep their own law, and grounds their surfaces unless nothing else has one.
         """
         found = [_coated(one, surface) if self._takes(one) else one for one in self._obstacles]
-        return self.tables.get("world", {}) | {"obstacles": found}
+        world: Table = self.tables.get("world", {})
+        return world | {"obstacles": found}
 
     @property
     def _obstacles(self) -> list[Table]:
