@@ -13,7 +13,7 @@ from springback.interfaces.animation import timing
 from springback.interfaces.animation.bodies import ViewPlane, section_outlines
 from springback.interfaces.animation.frame import Frame
 from springback.interfaces.animation.panel import SHADES, lighter
-from springback.interfaces.animation.smooth_meshes import cut, smooth
+from springback.interfaces.animation.user_surfaces import cut, smooth
 from springback.interfaces.replay.geometry import Drawable
 from springback.interfaces.replay.scene import Scene, scene_of
 from springback.kernels.vectors import Vec

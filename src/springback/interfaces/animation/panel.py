@@ -37,7 +37,7 @@ from springback.interfaces.animation.bodies import (
     section_outlines,
     silhouette,
 )
-from springback.interfaces.animation.smooth_meshes import cut, smooth
+from springback.interfaces.animation.user_surfaces import cut, smooth
 from springback.interfaces.output.robots import GREEN, GREY, INK, ORANGE
 from springback.interfaces.replay.geometry import Drawable
 from springback.interfaces.replay.scene import ArmShape, Scene

@@ -18,7 +18,7 @@ HALVINGS, MOST_TRIANGLES = 2, 20_000
 SHARP = 0.5
 
 
-class CutShape(NamedTuple):
+class DrawnSection(NamedTuple):
     """Section of a shape with a plane [m]."""
 
     areas: list[Array]  # closed outlines to fill
@@ -62,7 +62,7 @@ def _halved(v: Array, n: Array, cells: Cells) -> tuple[Array, Array, Cells]:
     return np.concatenate([v, middle + lift]), np.concatenate([n, normal]), finer
 
 
-def cut(thing: Drawable, view: ViewPlane) -> CutShape:
+def cut(thing: Drawable, view: ViewPlane) -> DrawnSection:
     """Section of a mesh that may be a piece of a surface.
 
     Args:
@@ -72,9 +72,9 @@ def cut(thing: Drawable, view: ViewPlane) -> CutShape:
     found = section_outlines(thing, view)
     is_closed = [len(one) > 3 and bool((one[0] == one[-1]).all()) for one in found]
     if all(is_closed):
-        return CutShape(found, [])
+        return DrawnSection(found, [])
     filled = [closed and _area(one) > 0.0 for one, closed in zip(found, is_closed, strict=True)]
-    return CutShape(
+    return DrawnSection(
         [one for one, fills in zip(found, filled, strict=True) if fills],
         [one for one, fills in zip(found, filled, strict=True) if not fills],
     )
