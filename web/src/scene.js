@@ -16,6 +16,10 @@ const WIDEST = 2.5;
 const APART = 1.0;
 /** Flights whose first touches differ by more than this are aligned [s]. */
 const TOGETHER = 5e-3;
+/** Nearest and farthest that is seen, and largest distance of the camera from where it looks [m]; on long flights it sees farther. */
+const [NEAREST, SIGHT, FARTHEST] = [0.02, 80, 30];
+/** Nearest that is seen from far away, over the distance of the camera from where it looks. */
+const CLOSE = 0.01;
 const FOLLOWING = ["follow", "front", "side", "top"];
 export const CAMERAS = ["follow", "free", "front", "side", "top", "impact"];
 /** A moving picture slower than this is drawn with fewer pixels [ms], at least this share of them along each side. */
@@ -75,7 +79,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     element.append(sorry);
   }
   const world = new THREE.Scene();
-  const camera = new THREE.PerspectiveCamera(38, 1, 0.02, 80);
+  const camera = new THREE.PerspectiveCamera(38, 1, NEAREST, SIGHT);
   camera.up.set(0, 0, 1);
   const corner = new THREE.Scene();
   const cornerCamera = new THREE.OrthographicCamera(-1.9, 1.9, 1.9, -1.9, 0.1, 20);
@@ -102,7 +106,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     controls = new OrbitControls(camera, renderer.domElement);
     controls.enableDamping = false;
     controls.minDistance = 0.15;
-    controls.maxDistance = 30;
+    controls.maxDistance = FARTHEST;
     controls.addEventListener("change", draw);
     let held = false;
     controls.addEventListener("start", () => (held = true));
@@ -153,6 +157,8 @@ export function createScene(element, { flights = [], compare = "side", align = t
     renderer.setViewport(0, 0, width, height);
     renderer.setScissorTest(false);
     renderer.setClearColor(colours.background, 1);
+    camera.near = Math.max(NEAREST, CLOSE * camera.position.distanceTo(controls.target)); // depths of far views are coarse else
+    camera.updateProjectionMatrix();
     renderer.render(world, camera);
     const side = Math.min(104, 0.24 * Math.min(width, height));
     cornerCamera.position.copy(camera.position).sub(controls.target).setLength(6);
@@ -293,6 +299,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
       for (const mover of actor.movers) actor.group.add(mover.group);
     });
     state.box = boxes.clone();
+    letFar();
     if (ground === null) {
       boxes.min.z = state.floor;
       content.add(reference(boxes, colours));
@@ -425,6 +432,18 @@ export function createScene(element, { flights = [], compare = "side", align = t
     return radius / Math.sin(Math.atan(Math.tan(half) * narrow));
   }
 
+  /** Box around the flights with their robots. */
+  const whole = () => state.box.clone().expandByScalar(Math.max(...state.flights.map(reachOf)) + 0.1);
+  const halfOf = (box) => 0.5 * box.getSize(new THREE.Vector3()).length();
+
+  /** Let the camera go as far as it must to see whole flights, and see as far. */
+  function letFar() {
+    if (!renderer) return;
+    const half = halfOf(whole());
+    controls.maxDistance = Math.max(FARTHEST, 1.5 * farFrom(half));
+    camera.far = Math.max(SIGHT, 2 * controls.maxDistance + 2 * half);
+  }
+
   function look(target, from) {
     controls.target.copy(target);
     camera.position.copy(target).add(from);
@@ -443,11 +462,10 @@ export function createScene(element, { flights = [], compare = "side", align = t
     const radius = reach + apart + scattered() + 0.1;
     const row = worlds().length > 2 && apart > 0; // seen along the flight, as wide as the view
     const near = row ? Math.max(farFrom(reach + 0.2), radius / (Math.tan(THREE.MathUtils.degToRad(camera.fov / 2)) * camera.aspect) + reach) : farFrom(radius);
-    const box = state.box.clone().expandByScalar(reach + 0.1);
+    const box = whole();
     const centre = box.getCenter(new THREE.Vector3());
-    const whole = 0.5 * box.getSize(new THREE.Vector3()).length();
     const before = row ? forward().negate().addScaledVector(leftward(), -0.25).setZ(0.5).normalize() : new THREE.Vector3(-0.62, -0.66, 0.42).normalize();
-    if (state.camera === "free") look(centre, before.clone().multiplyScalar(farFrom(whole)));
+    if (state.camera === "free") look(centre, before.clone().multiplyScalar(farFrom(halfOf(box))));
     else if (state.camera === "impact") look((struck = impactPlace()), row ? before.clone().multiplyScalar(near) : new THREE.Vector3(-0.45, -0.62, 0.5).normalize().multiplyScalar(farFrom(radius + 0.05)));
     else {
       followed = middle();
@@ -455,6 +473,12 @@ export function createScene(element, { flights = [], compare = "side", align = t
       look(followed.clone(), from.clone().normalize().multiplyScalar(state.camera === "side" ? farFrom(radius) : near));
     }
     draw();
+  }
+
+  /** Where the first, middle and last point of a flight are in the picture: right and up from −1 to 1, and depth likewise. */
+  function seenEnds(flight, group) {
+    const at = new THREE.Vector3();
+    return [0, flight.n >> 1, flight.n - 1].map((k) => at.fromArray(flight.position, 3 * k).add(group.position).project(camera).toArray());
   }
 
   /** Largest distance of vehicles that share a world from the middle between them now, as far as the view follows [m]. */
@@ -487,6 +511,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     const before = camera.aspect;
     camera.aspect = width / height;
     camera.updateProjectionMatrix();
+    if (actors.length) letFar();
     resolution.set(width, height);
     actors.forEach((actor) => actor.path.resize(resolution));
     if (Math.abs(before / camera.aspect - 1) > 0.15) setCamera(state.camera);
@@ -577,6 +602,7 @@ export function createScene(element, { flights = [], compare = "side", align = t
     pose: () => ({ t: state.t, camera: state.camera, target: controls?.target.toArray(), pixels: state.share, flights: state.poses ?? [],
       places: actors.map(({ group, robot }) => robot.group.position.clone().add(group.position).toArray()), // where they are drawn
       ends: actors.map(({ robot }) => robot.ends()),
+      seen: actors.map(({ flight, group }) => seenEnds(flight, group)),
       connections: actors.map(({ robot }) => robot.connections()),
       estimates: state.estimate ? state.flights.map((flight) => (hasEstimate(flight) ? estimateAt(flight, state.t) : null)) : [] }),
     /** Boxes around the shadows of obstacles, of those at rest first, for tests [m]. */

@@ -12,16 +12,20 @@ const SMOOTH = 0.6;
 const EDGE = 25;
 /** Depth by which what stands on a plane may reach below it and cast its shadow there [m]. */
 const UNDER = 0.02;
+/** Most lines of a grid in one direction: beyond them it has wider meshes. */
+const MOST_LINES = 200;
 /** Radius of the rod of a hanging obstacle [m]. */
 const ROD = 0.004;
 
 const vector = (v) => new THREE.Vector3(...v);
 
-/** Lines of a grid on a rectangle, with a given spacing [m], from its centre. */
-function grid(centre, across, along, step, colour, opacity) {
+/** Lines of a grid on a rectangle, with a given spacing [m] or, of a long one, some times that, from its centre. */
+function grid(centre, across, along, least, colour, opacity) {
   const places = [];
   const a = across.length();
   const b = along.length();
+  let step = least;
+  while (2 * Math.max(a, b) > MOST_LINES * step) step *= 2;
   const u = across.clone().normalize();
   const v = along.clone().normalize();
   const line = (from, to) => places.push(...from.toArray(), ...to.toArray());

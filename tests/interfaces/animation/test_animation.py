@@ -440,6 +440,21 @@ def test_what_cannot_be_gets_one_line_and_leaves_nothing(folder: Path, tmp_path:
     assert [path.name for path in tmp_path.iterdir()] == ["film.gif"]
 
 
+def test_the_command_tells_of_later_impacts_where_it_chose_the_end(
+    folder: Path, tmp_path: Path, scene: Scene, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (begin, end), *_ = scene.impacts
+    hit_again = replace(scene, impacts=((begin, end), (begin + 1.0, end + 1.0)))
+    monkeypatch.setattr("springback.interfaces.replay.labels.scenes_of", lambda *_: [hit_again])
+    small = ("--fps", 2, "--size", "160x160", "--force", "--out", tmp_path / "film.gif")
+    assert "a later impact, 1 s after the first touch" in animate(folder, *small).output
+    assert "later" not in animate(folder, *small, "--to", 0.05).output
+    flat = " ".join(animate("--help").output.split())
+    assert "[default: -0.3;" in flat
+    assert "[default: 0.8;" in flat
+    assert (timing.BEFORE, timing.AFTER) == (0.3, 0.8)
+
+
 def test_a_missing_extra_is_named(folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:  # fmt: skip
     monkeypatch.setitem(sys.modules, "av", None)
     assert "[video]" in refused(folder, "--out", tmp_path / "a.mp4")

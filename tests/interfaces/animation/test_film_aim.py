@@ -5,6 +5,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib.patches import PathPatch
 
 from builders.cases import nonempty
 from builders.films import thrown
@@ -119,3 +120,31 @@ def test_a_name_is_beside_the_numbers_or_above_them(
         assert written.x1 < (k + 1) * size[0] / 2
         assert written.x1 < numbers.x0 if lines == 1 else written.y0 > numbers.y1 - 2.0
         assert views[0].ax.get_window_extent().y1 < numbers.y0
+
+
+def test_ground_is_below_a_robot_that_flies_far(flat: Scene) -> None:
+    """In the side view of the last frame, farther from the first touch than a view is wide."""
+    moved = flown_off(flat, 100.0)
+    assert np.linalg.norm(moved.position[-1] - moved.position[0]) > 60.0
+    ground = Drawable("ground", "ground", (0.0, 0.0, 0.5), (0.0, 0.0, 1.0), (0.0, -9.0, 0.0),
+                      (9.0, 0.0, 0.0))  # fmt: skip
+    picture = film(replace(moved, obstacles=(ground,)))
+    picture.at(len(picture.timing.t) - 1)
+    side, _ = picture.panels[0]
+    [area] = [one for one in side.ax.patches if isinstance(one, PathPatch)]
+    corners = [(x, 0.45) for x in side.ax.get_xlim()]
+    assert all(area.get_path().contains_point(one) for one in nonempty(corners))
+
+
+def test_impacts_after_the_end_of_a_film_are_told(flat: Scene) -> None:
+    """By their number and when; a film up to the end that is told holds them."""
+    [(begin, end)] = flat.impacts
+    one = replace(flat, impacts=((begin, end), (begin + 0.9, end + 0.9)))
+    two = replace(one, impacts=(*one.impacts, (begin + 2.0, begin + 2.1234)))
+    within = replace(flat, impacts=((begin, end), (begin + 0.7, begin + 0.95)))
+    assert timing.impacts_left_out([flat]) == timing.impacts_left_out([within]) == ""
+    assert "a later impact, 0.9 s after the first touch, is not" in timing.impacts_left_out([one])
+    told = timing.impacts_left_out([two])
+    assert told == (
+        "2 later impacts, from 0.9 s after the first touch on, are not in it: --to 2.16 shows them"
+    )

@@ -392,6 +392,16 @@ def test_an_answer_has_curves_energy_and_print_beside_it() -> None:
     assert not answer(setting(speed=2))["printed_for"]["same"]
 
 
+def test_a_speed_of_departure_below_0_is_explained_as_by_fly() -> None:
+    flight = fly(lab_scenario(DEFAULTS, "arq"))
+    past = replace(flight, measures=flight.measures | {"restitution_at_separation": -0.1})
+    said = sentence(DEFAULTS, "arq", past)
+    assert ", leaves it at -0.19 m/s after" in said
+    assert said.endswith(". Its restitution is below 0: it left past what it hit.")
+    assert "below 0: it left past what it hit" in repr(past)
+    assert "restitution" not in sentence(DEFAULTS, "arq", flight)
+
+
 def test_the_sentence_tells_the_peak_of_the_first_impact() -> None:
     """A harder hit later on, such as on the ground, is not the wall's."""
     flight = fly(lab_scenario(DEFAULTS, "arq"), trajectory=False)

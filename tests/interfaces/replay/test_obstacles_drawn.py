@@ -17,7 +17,13 @@ from springback.contact.obstacles import signed_distance
 from springback.contact.scene.solids import solid_face
 from springback.contact.scene.table import Solid
 from springback.errors import InputError
-from springback.interfaces.replay.geometry import MOST_DRAWN, MOST_NAMED, TRUNK_SIDES, drawables
+from springback.interfaces.replay.geometry import (
+    MOST_DRAWN,
+    MOST_NAMED,
+    TRUNK_SIDES,
+    Drawable,
+    drawables,
+)
 from springback.interfaces.replay.scene import load, scene_of
 from springback.interfaces.reports.flight_files import write_flight
 from springback.kernels.routines import NumberTable
@@ -146,6 +152,40 @@ def test_what_has_no_end_is_cut_off_around_the_flight_and_stands_on_the_floor() 
     assert np.array(face.normal) @ (np.array(face.centre) - [1, 0, 0]) == pytest.approx(
         0.0, abs=1e-12
     )
+
+
+def is_on(face: Drawable, points: Any) -> Any:
+    """True for points in the rectangle of a face."""
+    beside = np.asarray(points) - face.centre
+    halves = (np.array(face.across), np.array(face.along))
+    shares = [np.abs(beside @ half) / (half @ half) for half in halves]
+    assert np.abs(beside @ np.array(face.normal)).max() < 1e-9
+    return np.max(shares, axis=0) <= 1.0
+
+
+@pytest.mark.parametrize("angle", [0.0, 20.0, 80.0])
+def test_a_face_reaches_as_far_as_a_long_flight_and_its_contacts(angle: float) -> None:
+    """Bounces down 80 m: it is under each touch, those far from the path too, and under the start."""
+    theta = math.radians(angle)
+    slope = {"type": "slope", "angle": f"{angle} deg", "uphill": "180 deg", "surface": "wall"}
+    ground = {"type": "ground", "surface": "wall"}
+    along, normal = (np.array([c, 0.0, s]) for c, s in (
+        (math.cos(theta), -math.sin(theta)), (math.sin(theta), math.cos(theta)),
+    ))  # fmt: skip
+    places = np.linspace(0.0, 80.0, 201)[:, None] * along
+    flown = places + np.abs(np.sin(places[:, :1])) * normal + 0.2 * normal
+    flown[0] += [0.0, 0.0, 2.0]
+    some = places[::40]
+    touched = np.concatenate([some, some + np.array([0.0, 3.0, 0.0])])
+    entry = slope if angle else ground
+    world = expand_presets({"vehicle": "arq", "world": {"obstacles": [entry]}})["world"]
+    given = WorldSettings.model_validate(world).obstacles
+    [face] = drawables(given, (), flown, touched).drawables
+    assert is_on(face, touched).all()
+    if angle < 60.0:
+        below = flown[0] - [0.0, 0.0, flown[0] @ normal / normal[2]]
+        assert is_on(face, [below]).all()
+    assert 2.0 * np.linalg.norm(face.along if angle else face.across) < 90.0
 
 
 def test_shapes_of_a_type_are_one_mesh_and_only_near_ones_of_thousands_are_drawn() -> None:

@@ -32,12 +32,12 @@ from springback.interfaces.animation.bodies import (
     latches,
     neighbour_lines,
     outlines_of,
-    plane_section,
     ring,
     rotor_places,
     section_outlines,
     silhouette,
 )
+from springback.interfaces.animation.user_surfaces import cut, smooth
 from springback.interfaces.output.robots import GREEN, GREY, INK, ORANGE
 from springback.interfaces.replay.geometry import Drawable
 from springback.interfaces.replay.scene import ArmShape, Scene
@@ -47,12 +47,13 @@ Outlines = Callable[[Drawable, ViewPlane], list[Array]]
 """Outlines of an obstacle in a view [m]."""
 
 MATTER = {"wall": "#B9C0C8", "mat": "#C9D8C4", "ground": "#CFC9BE"}
+RIM = "#AEB5BD"
 SHADES = ("#B9C0C8", "#CDBFAF", "#B3C6BA", "#C6BBCE", "#B2C6D1", "#D3BFBD")
 """Quiet colours of obstacles cut by the plane of a view, each kind its own, the first of walls."""
 LIGHTER = 0.6
 """Chosen: share of white in the colour of bodies in front of and behind that plane."""
 FAR = 30.0
-"""Size of half planes, larger than any view [m]."""
+"""Size of half planes beyond the flight, larger than any view [m]."""
 THRUST_BAR = 0.10
 """Chosen: length of the bar of a rotor's maximum thrust [m]."""
 SHAFT, BARB, HEAD = 0.006, 0.018, 0.035
@@ -115,10 +116,15 @@ class ScenePanel:
         """Outlines of bodies, faces, sections of bodies, and the ground, which hides their feet."""
         edge: dict[str, Any] = {"ec": "#7B838C", "lw": 0.8 * unit}
         shades = shades_of(self.scene.obstacles)
-        bodies = [thing for thing in self.scene.obstacles if thing.vertices is not None]
+        meshes = [thing for thing in self.scene.obstacles if thing.vertices is not None]
+        bodies = [smooth(thing) for thing in meshes]
         for thing in bodies:
             fill = lighter(shades[kind_of(thing)])
-            self._area(thing, silhouette, fc=fill, ec="#AEB5BD", lw=0.6 * unit)
+            if thing.normals is None:
+                self._area(thing, silhouette, fc=fill, ec=RIM, lw=0.6 * unit)
+            else:  # its outline has folds, which the area covers
+                self._area(thing, silhouette, fc="none", ec=RIM, lw=1.2 * unit)
+                self._area(thing, silhouette, fc=fill, ec="none")
         walls = [thing for thing in self.scene.obstacles if thing.normal]
         for thing in walls:
             if thing.kind != "ground":
@@ -126,10 +132,11 @@ class ScenePanel:
         for thing in bodies:
             if thing.normals is None:
                 self._area(thing, section_outlines, fc=shades[kind_of(thing)], **edge)
-            else:  # a piece of a surface
-                pieces = list(plane_section(thing, self.view))
-                mesh = LineCollection(pieces, colors=GREY, linewidths=1.6 * unit)
-                self.animate(self.ax.add_collection(mesh))
+            else:  # it may be a piece of a surface
+                areas, lines = cut(thing, self.view)
+                self._area(thing, lambda *_, areas=areas: areas, fc=shades[kind_of(thing)], **edge)
+                ends = LineCollection(lines, colors=GREY, linewidths=1.6 * unit)
+                self.animate(self.ax.add_collection(ends))
         for thing in walls:
             if thing.kind == "ground":
                 self._face(thing, MATTER["ground"], edge)
@@ -137,7 +144,12 @@ class ScenePanel:
     def _face(self, thing: Drawable, colour: str, edge: dict[str, Any]) -> None:
         depths = (0.0, thing.thickness) if thing.thickness else (0.0,)
         for depth, fill in zip(depths, (colour, MATTER["wall"]), strict=False):
-            self._area(thing, functools.partial(_behind, depth), fc=fill, **edge)
+            self._area(thing, functools.partial(_behind, depth, self._far()), fc=fill, **edge)
+
+    def _far(self) -> float:
+        """Size of half planes: they are under all of the flight [m]."""
+        away = [np.abs(scene.position - self.view.through).max() for scene in self.scenes]
+        return FAR + 2.0 * float(max(away))
 
     def _area(self, thing: Drawable, outlines: Outlines, **look: Any) -> None:
         """Area within the outlines of an obstacle, which change if it moves."""
@@ -313,9 +325,9 @@ def width_of(arm: ArmShape) -> float:
     return 1.2 if arm.compliant and not is_hinged(arm) else 3.0
 
 
-def _behind(depth: float, thing: Drawable, view: ViewPlane) -> list[Array]:
+def _behind(depth: float, far: float, thing: Drawable, view: ViewPlane) -> list[Array]:
     """Outline of what is behind a face by more than a depth [m]; none if it is seen flat on."""
-    area = half_plane(thing, view, depth, FAR)
+    area = half_plane(thing, view, depth, far)
     return [] if area is None else [np.vstack([area, area[:1]])]
 
 

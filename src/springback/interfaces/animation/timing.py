@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
@@ -83,6 +84,29 @@ def timing(
     windows = _windows(scenes, start, stop)
     t = _instants(windows, start, stop, max(slow, 1.0), fps)
     return FilmTiming(t, _slowness(t, windows, max(slow, 1.0)), start, stop, windows)
+
+
+def impacts_left_out(scenes: Sequence[Scene]) -> str:
+    """Which impacts begin after the end of a film of the usual length, in words; empty if none.
+
+    Args:
+        scenes: As for `timing`.
+    """
+    spans = [(a - origin(s), b - origin(s)) for s in scenes for a, b in s.impacts]
+    later = sorted(span for span in spans if span[0] > AFTER)
+    if not later:
+        return ""
+    count, first = len(later), later[0][0]
+    end = math.ceil(100.0 * (max(b for _, b in later) + LATE)) / 100.0
+    if count == 1:
+        return (
+            f"a later impact, {first:.3g} s after the first touch, is not in it: --to {end:g} "
+            "shows it"
+        )
+    return (
+        f"{count} later impacts, from {first:.3g} s after the first touch on, are not in it: "
+        f"--to {end:g} shows them"
+    )
 
 
 def _windows(scenes: Sequence[Scene], start: float, stop: float) -> tuple[tuple[float, float], ...]:

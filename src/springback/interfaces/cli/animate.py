@@ -18,8 +18,14 @@ from springback.interfaces.cli.common import PATH, Output, output_options
     "--slow", type=click.FloatRange(1.0, 1000.0), default=20.0, show_default=True,
     help="Slow-motion factor of impacts.",
 )  # fmt: skip
-@click.option("--from", "begin", type=float, help="First instant, relative to first touch [s].")
-@click.option("--to", "end", type=float, help="Last instant, relative to first touch [s].")
+@click.option(
+    "--from", "begin", type=float,
+    help="First instant, relative to first touch [s].  [default: -0.3; without a touch the start]",
+)  # fmt: skip
+@click.option(
+    "--to", "end", type=float,
+    help="Last instant, relative to first touch [s].  [default: 0.8; without a touch the end]",
+)  # fmt: skip
 @click.option("--fps", type=float, default=25.0, show_default=True, help="Frames per second.")
 @click.option("--size", metavar="WxH", help="Width and height [px], such as 760x540.")
 @output_options("File of the film: .gif, .webp or .mp4.", "force", "quiet")
@@ -34,7 +40,8 @@ def animate(
 ) -> None:
     """Make a film of a RESULT, a folder that springback fly wrote, or of two side by side.
 
-    Impacts are shown in slow motion. Two flights are synchronised at their first touches.
+    Impacts are shown in slow motion. Two flights are synchronised at their first touches. A
+    film ends 0.8 s after the first touch; with --to it holds later impacts, too.
 
     \b
     springback fly collision.toml --out arq
@@ -47,6 +54,7 @@ def animate(
     out = output.out
     assert out is not None  # it is required
     from springback.interfaces.animation.film import check, replace_film
+    from springback.interfaces.animation.timing import impacts_left_out
     from springback.interfaces.replay.labels import scenes_of
     from springback.results.saved import load
 
@@ -66,6 +74,8 @@ def animate(
     with output.progress_bar("drawing") as show:
         count = replace_film(scenes, out, progress=show, **options)
     output.note(f"written to {out}: {count} frames, {out.stat().st_size / 1e6:.2f} MB")
+    if end is None and (later := impacts_left_out(scenes)):
+        output.note(later)
 
 
 def _size(text: str | None) -> tuple[int, int] | None:

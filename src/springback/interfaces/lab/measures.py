@@ -26,6 +26,7 @@ from springback.paper.printed import (
     PrintedImpact,
 )
 from springback.results.contacts.places import contact_places
+from springback.results.contacts.restitution import restitution_note
 from springback.results.contacts.spans import contact_spans
 from springback.results.flight import Flight
 from springback.simulation.measuring.measures import Outcome
@@ -163,7 +164,7 @@ def went_well(settings: LabSettings, flight: Flight) -> bool:
 
 
 def sentence(settings: LabSettings, robot: str, flight: Flight) -> str:
-    """Summary of a flight in a sentence."""
+    """Summary of a flight in a sentence; a second one explains an unusual restitution."""
     name, m = robot_name(settings, robot), flight.measures
     if m["touch_speed"] is None:
         window = obstacle_of(settings) == "window" and not is_piloted(settings)
@@ -176,7 +177,9 @@ def sentence(settings: LabSettings, robot: str, flight: Flight) -> str:
         words += f", leaves it at {left:.2f} m/s after {1e3 * lasted:.0f} ms"
     peak = m["impact_peak_acceleration"] or 0.0
     words += f", peaks at {peak:.0f} m/s² ({peak / EARTH:.0f} g)"
-    return f"{words}; {_ending(settings, flight)}."
+    note = restitution_note(m, flight.columns, flight.scenario.vehicle.guard_word)
+    why = f" Its restitution is {note}." if note else ""
+    return f"{words}; {_ending(settings, flight)}.{why}"
 
 
 def _target(settings: LabSettings, flight: Flight) -> str:

@@ -14,7 +14,7 @@ import numpy as np
 import tomli_w
 
 from springback.contact.cage import ArmTip, Ring, support
-from springback.contact.parameters import Ground, Mat, Wall
+from springback.contact.parameters import Mat, Wall
 from springback.errors import InputError
 from springback.interfaces.lab.obstacles import (
     ROD,
@@ -127,20 +127,16 @@ def _as_in_file(s: LabSettings, robot: str, user: UserScenario) -> Table:
         )
     elif not user.is_piloted:
         given["start"] = _start(s, user)
-    if not is_default(s, "surface", *_SURFACE) and user.surface is not None:
-        world = user.tables["world"]
-        faces = [_with_surface(s, entry, slides=False) for entry in world["obstacles"]]
-        given["world"] = world | {"obstacles": faces}
+    is_coated = s.surface != "file" and user.surface is not None
+    if is_coated:
+        given["world"] = user.world_with_surface(_surface(s, slides=False))
     if not is_second_default(s):
         given["second"] = second_table(s, user)
-    of_first = ("speed", "pitch", *_start_yaw(s), "surface", *_SURFACE, *VEHICLE_SETTINGS)
-    as_given = is_default(s, *of_first) and is_second_default(s)
+    of_first = ("speed", "pitch", *_start_yaw(s), *VEHICLE_SETTINGS)
+    as_given = is_default(s, *of_first) and is_second_default(s) and not is_coated
     if not as_given or robot not in ("mine", "file"):
         given["name"] = f"{robot_name(s, robot)}, {user.scenario.name}, changed"[:200]
     return given
-
-
-_SURFACE = ("contact_stiffness", "dissipation", "friction")
 
 
 def _changes(s: LabSettings, **values: str) -> Table:
@@ -166,13 +162,6 @@ def _start(s: LabSettings, user: UserScenario) -> Table:
 def _start_yaw(s: LabSettings) -> tuple[str, ...]:
     """Name of the setting for the yaw of the file's start, if it can be set."""
     return tuple(name for name in ("start_yaw",) if name in type(s).model_fields)
-
-
-def _with_surface(s: LabSettings, entry: Table, slides: bool) -> Table:
-    """An obstacle of the file with the chosen surface in front; ground is left as it is."""
-    if entry.get("type") not in ("wall", "mat"):
-        return entry
-    return entry | {"surface": _surface(s, slides)}
 
 
 # -- impact ---------------------------------------------------------------------------------------
@@ -243,7 +232,7 @@ def _other(s: LabSettings, robot: str, given: Table, more: Table) -> Table:
         **more,
     }
     if s.surface != "wall":
-        other["surface"] = _surface_alone(s)
+        other["surface"] = _surface(s, slides=False)
     return other | {"start": start | {"yaw": f"{digits(turned)} deg"}}
 
 
@@ -336,8 +325,8 @@ def _flight(s: LabSettings, robot: str) -> Table:
         del wall["distance"]
         wall["position"] = [WALL_DISTANCE, 0.0, 0.0]
         wall["normal"] = [-math.cos(psi), math.sin(psi), 0.0]
-        if s.surface == "mat":  # the face stays where the robot expects it
-            wall["position"][0] += MAT_THICKNESS / math.cos(psi)
+        if wall["type"] == "mat":  # the face stays where the robot expects it
+            wall["position"][0] += wall["thickness"] / math.cos(psi)
     given = run_up_scenario(robot, s.pitch, s.speed)
     given |= {
         "name": _name(s, robot),
@@ -393,8 +382,9 @@ _ALONE = {
 
 
 def _name(s: LabSettings, robot: str) -> str:
-    kind = "wall" if s.user is None or s.user.target is None else s.user.target.type
-    where = {"wall": "wall", "mat": "mat", "own": "own surface", "file": f"{kind} of the file"}
+    target = None if s.user is None else s.user.target
+    of_file = f"{target.type} of the file" if isinstance(target, Wall | Mat) else _ALONE["file"]
+    where = {"wall": "wall", "mat": "mat", "own": "own surface", "file": of_file}
     if obstacle_of(s) != "wall":
         what_is_hit = WORDS.get(s.obstacle, s.obstacle)
         where = {name: f"{what_is_hit}, {words}" for name, words in _ALONE.items()}
@@ -415,10 +405,15 @@ def _ahead(s: LabSettings, slides: bool, turned: float) -> list[Table]:
 def _obstacle(s: LabSettings, face: float, slides: bool, turned: float) -> Table:
     """Wall or mat whose face is at a distance [m]; a shape, which is turned by an angle [deg]."""
     if obstacle_of(s) != "wall":
-        return shape_table(s, face, HEIGHT, _surface_alone(s), turned)
+        return shape_table(s, face, HEIGHT, _surface(s, slides=False), turned)
     more: Table = {"friction_axes": "vertical"} if slides else {}
-    if s.surface in ("file", "own") and s.user is not None and s.user.target is not None:
-        return _obstacle_of_file(s, face, s.user.target, slides)
+    target = None if s.user is None else s.user.target
+    if s.surface in ("file", "own") and isinstance(target, Mat):
+        return {
+            "type": "mat", "distance": face + target.thickness, "thickness": target.thickness,
+            "surface": _surface(s, slides),
+            "backing": target.backing.model_dump(exclude_none=True),
+        }  # fmt: skip
     if s.surface == "mat":
         mat, wall = ({"preset": name, **more} if more else name for name in ("mat", "wall"))
         distance = face + MAT_THICKNESS
@@ -429,33 +424,14 @@ def _obstacle(s: LabSettings, face: float, slides: bool, turned: float) -> Table
     return {"type": "wall", "distance": face, "surface": _surface(s, slides)}
 
 
-def _obstacle_of_file(
-    s: LabSettings, face: float, target: Wall | Mat | Ground, slides: bool
-) -> Table:
-    """The user's wall or mat, across the X axis, with its surface or the page's."""
-    surface: Any = target.surface.model_dump(exclude_none=True)
-    if s.surface == "own":
-        surface = _surface(s, slides)
-    if not isinstance(target, Mat):
-        return {"type": "wall", "distance": face, "surface": surface}
-    return {
-        "type": "mat", "distance": face + target.thickness, "thickness": target.thickness,
-        "surface": surface, "backing": target.backing.model_dump(exclude_none=True),
-    }  # fmt: skip
-
-
-def _surface_alone(s: LabSettings) -> Any:
-    """Surface of a shape, as a raw table: the file's, or one of the page's."""
-    if s.surface == "file" and s.user is not None and s.user.surface is not None:
-        return s.user.surface.model_dump(exclude_none=True)
-    return _surface(s, slides=False)
-
-
 def _surface(s: LabSettings, slides: bool) -> Any:
-    """Surface of the face, as a raw table; on the slider with the paper's friction."""
+    """Surface of the face, as a raw table: the file's; on the slider with the paper's friction."""
     more: Table = {"friction_axes": "vertical"} if slides else {}
+    own = None if s.user is None else s.user.surface
+    if s.surface == "file" and own is not None:
+        return own.model_dump(exclude_none=True)
     if s.surface == "own":
-        shared = s.user.surface.shared_by if s.user is not None and s.user.surface else 2
+        shared = 2 if own is None else own.shared_by
         return {
             "stiffness": 1e3 * s.contact_stiffness, "shared_by": shared, "friction": s.friction,
             "dissipation": s.dissipation, **more,

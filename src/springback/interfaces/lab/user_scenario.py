@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from springback.contact.nets import Net
 from springback.contact.obstacles import Plane
 from springback.contact.parameters import Ground, Mat, SurfaceSettings, Wall
 from springback.control.reference_parameters import RunUpSettings
@@ -91,10 +92,41 @@ class UserScenario:
         gap = plane.normal @ Vec(*start.position) - plane.offset
         return float(gap / closing) if closing > 0.0 and gap > 0.0 else None
 
-    @property
+    @functools.cached_property
     def surface(self) -> SurfaceSettings | None:
-        """Surface of its target."""
-        return None if self.target is None else self.target.surface
+        """Surface of its wall or mat ahead, else of its first obstacle that has one, else None.
+
+        A ground counts only if nothing else does.
+        """
+        if isinstance(self.target, Wall | Mat):
+            return self.target.surface
+        obstacles = single_obstacles(self.scenario.world.obstacles)
+        standing = [one for one in obstacles if not isinstance(one, Ground)]
+        found = (_surface_of(one) for one in [*standing, *obstacles])
+        return next((one for one in found if one is not None), None)
+
+    @property
+    def surface_types(self) -> set[str]:
+        """Types of the obstacles that `world_with_surface` changes."""
+        return {str(one["type"]) for one in self._obstacles if self._takes(one)}
+
+    def world_with_surface(self, surface: Any) -> Table:
+        """Its raw world with another raw surface on all obstacles, in front of mats.
+
+        Nets keep their own law, and grounds their surfaces unless nothing else has one.
+        """
+        found = [_coated(one, surface) if self._takes(one) else one for one in self._obstacles]
+        world: Table = self.tables.get("world", {})
+        return world | {"obstacles": found}
+
+    @property
+    def _obstacles(self) -> list[Table]:
+        return list(self.tables.get("world", {}).get("obstacles", ()))
+
+    def _takes(self, entry: Table) -> bool:
+        """True if an obstacle takes another surface."""
+        lies = all(one.get("type") in ("ground", "net") for one in self._obstacles)
+        return entry.get("type") not in (("net",) if lies else ("ground", "net"))
 
     @property
     def speed(self) -> float | None:
@@ -130,6 +162,26 @@ class UserScenario:
 
 def _face(obstacle: Wall | Mat) -> Plane:
     return obstacle.plane(obstacle.thickness if isinstance(obstacle, Mat) else 0.0)
+
+
+def _surface_of(obstacle: Any) -> SurfaceSettings | None:
+    """Surface of an obstacle, of a union its first; None of a net, which has its own law."""
+    for one in getattr(obstacle, "shapes", (obstacle,)):
+        if not isinstance(one, Net):
+            found: SurfaceSettings = one.surface
+            return found
+    return None
+
+
+def _coated(entry: Table, surface: Any) -> Table:
+    """A raw obstacle with a surface on all its parts, and of an import with its friction, too."""
+    found = entry | {"surface": surface}
+    if entry["type"] == "union":
+        parts = entry["shapes"]
+        found["shapes"] = [{k: v for k, v in one.items() if k != "surface"} for one in parts]
+    if entry["type"] == "import":
+        found = {k: v for k, v in found.items() if k != "surfaces"} | {"friction": "surface"}
+    return found
 
 
 def _rounded(number: float) -> float:

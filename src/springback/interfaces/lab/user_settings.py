@@ -7,6 +7,7 @@ from typing import Annotated, Any
 
 from pydantic import create_model
 
+from springback.contact.library import SURFACES
 from springback.contact.parameters import SurfaceSettings
 from springback.interfaces.lab.controls import ChoiceControl, SliderControl, SliderMark
 from springback.interfaces.lab.second_vehicle import second_fields
@@ -29,6 +30,7 @@ from springback.interfaces.lab.vehicle_controls import (
 from springback.interfaces.output.robots import ROBOTS
 
 WORDS = "your file"
+_OURS: When = {"mode": ("impact", "flight")}
 _MINE: When = {"robot": ("mine",)}
 
 
@@ -138,17 +140,25 @@ def _surfaces(user: UserScenario) -> dict[str, Any]:
     """Choice of the surface, and the numbers of one's own, from the file where it has them."""
     control = control_of("surface")
     assert isinstance(control, ChoiceControl)
-    if user.surface is None:
-        return {}
-    what = "wall" if user.target is None else user.target.type
-    words = {"file": f"Your {what}", **control.words}
+    found: dict[str, Any]
+    if user.surface is None:  # of none of its obstacles
+        found = {"surface": (Annotated[str, replace(control, when=_OURS)], LabSettings().surface)}
+        for name in own_surface(SURFACES["wall"]):
+            slider = control_of(name)
+            found[name] = (
+                Annotated[float, replace(slider, when={**slider.when, **_OURS})],
+                getattr(LabSettings(), name),
+            )
+        return found
+    kinds = user.surface_types
+    is_of_one = len(kinds) == 1 and kinds <= {"wall", "mat"}
+    words = {"file": f"Your {min(kinds)}" if is_of_one else "As in file", **control.words}
     explains = (
-        f"Your {what}: that of the file. Wall and mat: those of Table II. Own: your {what} with "
-        "the numbers below. As in file they are those of every wall and mat."
+        f"{words['file']}: what your file says. Wall and mat: those of Table II. Own: the numbers "
+        f"below. The last three are put on every obstacle of your file, "
+        f"{'but for nets' if 'ground' in kinds else 'but for ground and nets'}."
     )
-    found: dict[str, Any] = {
-        "surface": (Annotated[str, replace(control, words=words, explains=explains)], "file")
-    }
+    found = {"surface": (Annotated[str, replace(control, words=words, explains=explains)], "file")}
     for name, value in own_surface(user.surface).items():
         slider = control_of(name)
         assert isinstance(slider, SliderControl)

@@ -51,13 +51,18 @@ from springback.scenario.worlds.imported import single_obstacles
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Cells = np.ndarray[Any, np.dtype[np.intp]]
 
-#: Margin of a drawn face around the flight near it, and its smallest and largest side [m]
+#: Margin of a drawn face around the flight near it, and its smallest side [m]; height above a slope
+#: up to which a flight is near it, where there is no ground [m] (chosen).
+ROOM, LEAST_SIDE, ABOVE = 0.6, 1.6, 5.0
+#: Largest extension of a face to what is beside the flight, the floor or other obstacles [m]
 #: (chosen: a piece of wall, not all of it).
-ROOM, LEAST_SIDE, LARGEST_SIDE = 0.6, 1.6, 20.0
+LARGEST_SIDE = 20.0
 #: A face counts as horizontal if the vertical component of its normal exceeds this; a slope, this.
 LYING, LEVEL = 0.9, 1.0 - 1e-9
 #: A wall, or a pole, reaches down to the floor if its way up rises by more than this per metre.
 UPRIGHT, STEEP = 0.5, 0.2
+#: Contact points no farther than this from a face are on it [m] (chosen: deeper than any contact).
+ON_FACE = 0.1
 #: Without ground, distance of the foot of an endless pole below the flight [m], as of the shadows.
 FOOT = 0.45
 #: Most solids that are drawn, sides of each of so many trunks, and instants at which distances
@@ -142,7 +147,10 @@ def drawables(
             for one in moving if one.vertices is not None]  # fmt: skip
     around = _under(bodies, np.concatenate([flown, *ways]), flown)
     things = (
-        [_face(entry, around if isinstance(entry, Ground) else flown, floor) for entry in planes]
+        [
+            _face(entry, around if isinstance(entry, Ground) else flown, floor, near)
+            for entry in planes
+        ]
         + bodies
         + moving
     )
@@ -160,9 +168,19 @@ def drawables(
 
 
 def _face(
-    entry: Wall | Ground | Mat | Slope | SolidShape, flown: Array, floor: float | None
+    entry: Wall | Ground | Mat | Slope | SolidShape,
+    flown: Array,
+    floor: float | None,
+    touched: Array,
 ) -> Drawable:
-    """Rectangle of a face around the flight near it; a steep one extends down to the floor."""
+    """Rectangle of a face around the flight near it; a steep one extends down to the floor.
+
+    Args:
+        entry: The face.
+        flown: Points of the flight, world [m], shape (points, 3).
+        floor: Height of the ground [m]; None without any.
+        touched: Contact points with any obstacle, world [m], shape (touches, 3).
+    """
     thickness, close, slopes = 0.0, flown, isinstance(entry, Slope | SolidShape)
     if isinstance(entry, Ground):
         n, offset = np.array([0.0, 0.0, 1.0]), entry.height
@@ -174,18 +192,22 @@ def _face(
             thickness = entry.thickness if isinstance(entry, Mat) else 0.0
             face = entry.plane(thickness)
             n, offset = np.array(face.normal), face.offset
-        heights = flown @ n
+        heights = flown @ n - offset
         close = flown[heights <= heights.min() + ROOM]
+        if slopes and floor is None and n[2] > UPRIGHT:  # under what flies above it, too
+            below = flown - np.outer(heights / n[2], [0.0, 0.0, 1.0])
+            close = np.concatenate([close, below[np.abs(heights) <= ABOVE]])
+    close = np.concatenate([close, touched[np.abs(touched @ n - offset) <= ON_FACE]])
     centre, halves = n * offset, []
     for axis in _axes(n, LEVEL if slopes else LYING):
         places = close @ axis
         low, high = float(places.min()) - ROOM, float(places.max()) + ROOM
-        side = min(max(high - low, LEAST_SIDE), LARGEST_SIDE)
+        side = max(high - low, LEAST_SIDE)
         middle = 0.5 * (low + high)
         if floor is not None and axis[2] > (0.0 if slopes else UPRIGHT):
             foot = (floor - n[2] * offset) / axis[2]
             down = middle + 0.5 * side - foot
-            if down <= LARGEST_SIDE:
+            if down <= side + LARGEST_SIDE:
                 side = max(side, down)
                 middle = foot + 0.5 * side
         centre = centre + middle * axis
@@ -302,7 +324,7 @@ def _moving(
     seen = relative_to(track, flown)
     level = floor if float(np.ptp(track.position[:, 2])) == 0.0 else None
     if isinstance(entry, Wall | Ground | Mat | Slope):
-        yield _face(entry, seen, level)
+        yield _face(entry, seen, level, np.zeros((0, 3)))
     else:
         parts = _near([entry], _sample(seen)).parts
         yield from _meshes(parts, {id(entry): entry.name}, seen, level)
@@ -392,6 +414,7 @@ def _span(
     aside = np.linalg.norm(relative - np.outer(places, axis), axis=1)
     close = places if everywhere else places[aside <= aside.min() + ROOM]
     low, high = float(close.min()) - ROOM, float(close.max()) + ROOM
+    most = max(high - low, LARGEST_SIDE)
     short = max(LEAST_SIDE - (high - low), 0.0)
     low, high = low - 0.5 * short, high + 0.5 * short
     if abs(axis[2]) > STEEP:
@@ -399,5 +422,5 @@ def _span(
         foot = float((level - body.centre[2]) / axis[2])
         low, high = (foot, max(high, foot)) if axis[2] > 0.0 else (min(low, foot), foot)
     if axis[2] >= 0.0:
-        return EndSpan(max(low, high - LARGEST_SIDE), high)
-    return EndSpan(low, min(high, low + LARGEST_SIDE))
+        return EndSpan(max(low, high - most), high)
+    return EndSpan(low, min(high, low + most))
