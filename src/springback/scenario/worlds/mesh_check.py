@@ -31,6 +31,8 @@ from springback.settings import problem
 LARGE = 50.0
 #: Cells across the thinnest parts with fewer of which forces are wrong by more (measured: boards).
 FEW = 3.0
+#: Suffixes of files that are y-up by definition, and often written z-up.
+Y_UP = (".glb",)
 #: Meshes whose sizes are remembered (chosen).
 LATEST = 64
 #: Most meshes that are named (chosen).
@@ -84,6 +86,24 @@ def mesh_warnings(obstacles: Sequence[Any]) -> list[str]:
                 f"{thin:.3g} m thick: forces on them are up to {share} % too weak or too strong"
                 f"{lost}; "
                 f"{'' if path else 'as an obstacle of type mesh '}{cell_advice(mesh)}"
+            )
+    return found
+
+
+def axis_warnings(obstacles: Sequence[Any]) -> list[str]:
+    """Sentences on meshes that are not turned and whose format has y upwards by definition.
+
+    Args:
+        obstacles: Of a world.
+    """
+    found = []
+    for path, name, mesh in _meshes(obstacles):
+        if Path(mesh.file).suffix.lower() in Y_UP and not mesh.roll and not mesh.pitch:
+            what = "give" if path else "make it an obstacle of type mesh with"
+            found.append(
+                f"{name}: {excerpt(Path(mesh.file).name)} is read as z-up, {_by(mesh.extent())} m "
+                "along its x, y and z; if it was written y-up, as glTF defines, "
+                f'{what} roll = "90 deg"'
             )
     return found
 
