@@ -14,6 +14,7 @@ import numpy as np
 
 from springback.contact.obstacles import Plane, signed_distance
 from springback.contact.parameters import Ground, Mat, SurfaceSettings, Wall, faces
+from springback.contact.scene.faces import SolidScene
 from springback.contact.scene.nearest import distance_of
 from springback.contact.worlds import obstacles, surfaces_of
 from springback.control.position import heading
@@ -226,13 +227,17 @@ def _touched(scenario: ScenarioTables, number: int, place: Vec) -> tuple[str, An
     entry = scenario.world.obstacles[number]
     if not isinstance(entry, Imported):
         return obstacle_words(number, entry), entry
-    flat = [one for one in entry.parts if isinstance(one.obstacle, Wall | Mat | Ground)]
+    near = [
+        (signed_distance(faces(plane)[0][0], place), one)
+        for one in entry.parts
+        if isinstance(plane := one.obstacle, Wall | Mat | Ground)
+    ]
     solid = [one for one in entry.parts if not isinstance(one.obstacle, Wall | Mat | Ground)]
-    near = [(signed_distance(faces(one.obstacle)[0][0], place), one) for one in flat]
     if solid:
-        table = obstacles([one.obstacle for one in solid], as_scene=True).table
+        scene = obstacles([one.obstacle for one in solid], as_scene=True)
+        assert isinstance(scene, SolidScene)
         with routines_compiled():
-            near += [(gap, solid[owner]) for gap, owner in gaps_in(table, place)]
+            near += [(gap, solid[owner]) for gap, owner in gaps_in(scene.table, place)]
     part = min(near, key=lambda pair: pair[0])[1]
     return part_words(number, entry, part), part.obstacle
 
