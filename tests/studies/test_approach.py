@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import math
+from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
+from builders.forms import box_triangles
 from springback.scenario.scenario import scenario_from
 from springback.studies.approach import approach_ahead
 from springback.studies.scenario_check import check_warnings, derived_numbers
@@ -99,3 +102,67 @@ def test_a_run_up_is_told_of_the_obstacle_that_is_ahead_of_it(distance: float, o
     told = [line for line in check_warnings(given) if "wall_distance" in line]
     assert len(told) == bool(off)
     assert all("world.obstacles[3], column, is met first, 0.46 m before that" in x for x in told)
+
+
+def test_of_an_imported_world_the_element_is_named_and_its_friction_counts() -> None:
+    """As the flight names it; the first element, behind, has another surface."""
+    tree = {"type": "pole", "position": [2.0, 0.0, 0.0], "radius": 0.1, "height": 3.0}
+    elements = [
+        {"name": "floor", "obstacle": {"type": "ground"}},
+        {"name": "tree_0", "obstacle": tree | {"position": [5.0, 0.0, 0.0]}},
+        {"name": "tree_1", "obstacle": tree, "friction": 0.7},
+        {"name": "end", "obstacle": {"type": "wall", "position": [8, 0, 0], "normal": [-1, 0, 0]}},
+    ]
+    world = {
+        "type": "import", "name": "wood", "file": "w.sdf", "surface": "wall", "elements": elements,
+        "position": [1.0, 0.0, 0.0],
+    }  # fmt: skip
+    for place, named in (
+        ([0.0, 0.0, 1.0], "wood/tree_1"), ([4.0, 0.0, 1.0], "wood/tree_0"),
+        ([0.0, 2.0, 1.0], "wood/end"),
+    ):  # fmt: skip
+        given = scenario_from(
+            {
+                "vehicle": "arq", "world": {"obstacles": [world]},
+                "start": {"position": place, "velocity": FORWARDS, "yaw": math.pi / 4},
+            }
+        )  # fmt: skip
+        found = approach_ahead(given)
+        assert found is not None
+        assert found.words == f"world.obstacles[0], {named}"
+        if named == "wood/tree_1":
+            bend = math.sin(found.angle)
+            assert found.along == pytest.approx(math.cos(found.angle) - 0.7 * bend, abs=1e-9)
+
+
+def _upright(tmp_path: Path, **more: Any) -> Any:
+    """A scenario with a wall of 1.8 m in the file, along its y, which is flown at in 1.5 m."""
+    trimesh = pytest.importorskip("trimesh")
+    wall = box_triangles(0.1, 1.8, 1.0)
+    mesh = trimesh.Trimesh(wall.vertices + np.array([0.0, 0.9, 0.0]), wall.faces, process=False)
+    file = tmp_path / "yup.glb"
+    mesh.export(file)
+    mine = {"type": "mesh", "file": str(file), "position": [3.0, 0.0, 0.0], "surface": "wall"}
+    start = {"position": [0.0, 0.0, 1.5], "velocity": FORWARDS}
+    entry = {key: value for key, value in (mine | more).items() if value is not None}
+    return scenario_from({"vehicle": "arq", "start": start, "world": {"obstacles": [entry]}})
+
+
+def test_a_wall_that_is_written_y_up_stands_by_the_roll_that_check_names(tmp_path: Path) -> None:
+    flat = _upright(tmp_path)
+    assert approach_ahead(flat) is None  # it lies below
+    [told] = [line for line in check_warnings(flat) if "z-up" in line]
+    assert told == (
+        "world.obstacles[0]: yup.glb is read as z-up, 0.1 x 1.8 x 1 m along its x, y and z; "
+        'if it was written y-up, as glTF defines, give roll = "90 deg"'
+    )
+    upright = _upright(tmp_path, roll="90 deg")
+    found = approach_ahead(upright)
+    assert found is not None
+    assert found.place.x == pytest.approx(2.95, abs=1e-3)
+    assert not [line for line in check_warnings(upright) if "z-up" in line]
+    alone = _upright(tmp_path, type="import", position=None)
+    assert any(
+        line.endswith('make it an obstacle of type mesh with roll = "90 deg"')
+        for line in check_warnings(alone)
+    )

@@ -14,14 +14,22 @@ import numpy as np
 
 from springback.contact.obstacles import Plane, signed_distance
 from springback.contact.parameters import Ground, Mat, SurfaceSettings, Wall, faces
+from springback.contact.scene.faces import SolidScene
 from springback.contact.scene.nearest import distance_of
 from springback.contact.worlds import obstacles, surfaces_of
 from springback.control.position import heading
 from springback.control.reference_parameters import RunUpSettings
+from springback.kernels.routines import routines_compiled
 from springback.kernels.vectors import Quat, Vec, norm, quaternion_of, rotation
+from springback.results.contacts.places import gaps_in
 from springback.scenario.tables import ScenarioTables, UserShape
 from springback.scenario.user.obstacles import own_obstacles
-from springback.scenario.worlds.imported import Imported, obstacle_words, single_obstacles
+from springback.scenario.worlds.imported import (
+    Imported,
+    obstacle_words,
+    part_words,
+    single_obstacles,
+)
 from springback.vehicle.parameters import Vehicle
 
 #: Longest way that is looked along [m], and most places on it (chosen).
@@ -43,7 +51,7 @@ class ObstacleApproach(NamedTuple):
     obstacle: int
     """Its index in the scenario."""
     words: str
-    """It in a sentence."""
+    """It in a sentence; of an imported world its element."""
     way: float
     """Of the main body until then, straight on [m]."""
     place: Vec
@@ -197,7 +205,8 @@ def _first_touch(shape: Any, way: _StraightWay, balls: list[_Ball], nearer: floa
 def _approach(
     scenario: ScenarioTables, way: _StraightWay, number: int, touch: _Touch
 ) -> ObstacleApproach:
-    entry, arms = scenario.world.obstacles[number], scenario.vehicle.arms
+    words, entry = _touched(scenario, number, touch.place)
+    arms = scenario.vehicle.arms
     into = touch.normal * -1.0
     ahead = into @ rotation(way.attitude)  # in body axes
     angles = [math.atan2(ahead.y, ahead.x) - direction for direction in arms.directions]
@@ -207,14 +216,34 @@ def _approach(
     law = _law(entry)
     friction = law.friction if law.friction_axes == "both" else 0.0
     return ObstacleApproach(
-        number, obstacle_words(number, entry), touch.way, touch.place,
+        number, words, touch.way, touch.place,
         float(way.speed * (way.direction @ into)), first, angle,
         math.cos(angle) - friction * math.sin(angle), math.hypot(ahead.x, ahead.y) > abs(ahead.z),
     )  # fmt: skip
 
 
+def _touched(scenario: ScenarioTables, number: int, place: Vec) -> tuple[str, Any]:
+    """An obstacle that is touched at a place, in a sentence; of an imported world its element."""
+    entry = scenario.world.obstacles[number]
+    if not isinstance(entry, Imported):
+        return obstacle_words(number, entry), entry
+    near = [
+        (signed_distance(faces(plane)[0][0], place), one)
+        for one in entry.parts
+        if isinstance(plane := one.obstacle, Wall | Mat | Ground)
+    ]
+    solid = [one for one in entry.parts if not isinstance(one.obstacle, Wall | Mat | Ground)]
+    if solid:
+        scene = obstacles([one.obstacle for one in solid], as_scene=True)
+        assert isinstance(scene, SolidScene)
+        with routines_compiled():
+            near += [(gap, solid[owner]) for gap, owner in gaps_in(scene.table, place)]
+    part = min(near, key=lambda pair: pair[0])[1]
+    return part_words(number, entry, part), part.obstacle
+
+
 def _law(entry: Any) -> SurfaceSettings:
     """Surface of an obstacle, of its first part if it has several."""
-    law = entry.surface if isinstance(entry, UserShape | Imported) else surfaces_of(entry)[0]
+    law = entry.surface if isinstance(entry, UserShape) else surfaces_of(entry)[0]
     assert isinstance(law, SurfaceSettings)
     return law

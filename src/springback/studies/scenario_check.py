@@ -18,6 +18,7 @@ from springback.scenario.tables import ScenarioTables
 from springback.scenario.vehicles.range_check import opening_load
 from springback.scenario.warnings import scenario_warnings
 from springback.scenario.worlds.imported import named_obstacles
+from springback.scenario.worlds.mesh_check import axis_warnings
 from springback.studies.approach import ObstacleApproach, approach_ahead
 from springback.vehicle.endurance import hover_time
 from springback.vehicle.parameters import Arms, Vehicle
@@ -106,7 +107,8 @@ def _runs_up(scenario: ScenarioTables) -> bool:
 def check_warnings(scenario: Scenario) -> list[str]:
     """Warnings for a scenario, one sentence each: those of a flight, and more."""
     own = scenario.pilot is not None
-    found = [*scenario_warnings(scenario, own=own), *_vehicle_warnings(scenario)]
+    found = [*scenario_warnings(scenario, own=own), *axis_warnings(scenario.world.obstacles)]
+    found += _vehicle_warnings(scenario)
     if scenario.second is not None:
         found += [f"second: {sentence}" for sentence in _vehicle_warnings(scenario.beside())]
     return found

@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import json
 import os
+import re
 import time
 import tomllib
 from pathlib import Path
@@ -182,6 +183,16 @@ def test_errors_name_the_line_of_the_scenario_and_of_the_world(tmp_path: Path) -
         InputError, match=r"world\.obstacles\[0\]\.fil: unknown key; did you mean file"
     ):
         scenario(tmp_path, ALL, IMPORT + 'fil = "a"\n')
+
+
+@pytest.mark.parametrize("key", ["scale", "roll", "pitch"])
+def test_an_import_says_what_is_scaled_and_tilted_instead(tmp_path: Path, key: str) -> None:
+    with pytest.raises(InputError) as refused:
+        scenario(tmp_path, ALL, IMPORT + f"{key} = 0.001\n")
+    [line] = refused.value.problems
+    said = f"world.obstacles[0].{key}: is no key of an import: an obstacle of type mesh has it"
+    assert said in line
+    assert re.search(r"s\.toml:\d+: ", line)
 
 
 def test_a_start_inside_names_the_element(tmp_path: Path) -> None:

@@ -55,11 +55,12 @@ def test_a_mesh_whose_parts_are_thin_for_its_cells_is_warned_of(tmp_path: Path) 
     begin = "world.obstacles[0]: cells of {} m are coarse for a mesh whose thinnest parts are 0.02 m thick"
     [warning] = scenario_warnings(_plate(tmp_path, cell=0.013))
     assert warning == (
-        f"{begin.format(0.013)}: forces on them are up to 40 % wrong, and parts thinner than "
-        "two cells are lost; give a cell of at most 0.0025 m"
+        f"{begin.format(0.013)}: forces on them are up to 40 % too weak or too strong, and parts "
+        "thinner than two cells are lost; give a cell of at most 0.0025 m"
     )
     [warning] = scenario_warnings(_plate(tmp_path, cell=0.009))
-    assert warning.startswith(f"{begin.format(0.009)}: forces on them are up to 40 % wrong; give")
+    wrong = "forces on them are up to 40 % too weak or too strong; give"
+    assert warning.startswith(f"{begin.format(0.009)}: {wrong}")
     assert scenario_warnings(_plate(tmp_path, cell=0.0033)) == []
     assert scenario_warnings(_plate(tmp_path)) == []
 
@@ -71,7 +72,7 @@ def test_advice_on_cells_can_be_followed(tmp_path: Path, monkeypatch: pytest.Mon
     board = {"type": "mesh", "position": [3.0, 0.0, 1.0], "cell": 0.03}
     small = {**board, "file": box_file(0.1, 0.4, 0.4)}
     [warning] = scenario_warnings(_scenario(tmp_path, **small))
-    assert warning.endswith(f"{begin} 30 % wrong; give a cell of at most 0.0125 m")
+    assert warning.endswith(f"{begin} 30 % too weak or too strong; give a cell of at most 0.0125 m")
     middle = {**board, "file": box_file(0.1, 0.7, 0.6)}
     [warning] = scenario_warnings(_scenario(tmp_path, **middle))
     [least] = re.findall(r"; give a cell of ([\d.]+) m, the smallest for a mesh so large", warning)

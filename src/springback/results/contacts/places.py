@@ -169,8 +169,13 @@ class _Near(NamedTuple):
     name: str
 
 
-def _in_table(table: Any, point: Vec) -> Iterator[tuple[float, int]]:
-    """Distances of the solids of a table that may be the nearest, and numbers of their owners."""
+def gaps_in(table: Any, point: Vec) -> Iterator[tuple[float, int]]:
+    """Distances of the solids of a table that may be the nearest, and numbers of their owners.
+
+    Args:
+        table: Of a scene; with routines compiled.
+        point: In its axes [m].
+    """
     rows = [HEADER + WIDTH * k for k in range(int(number_at(table, HALF_SPACES)))]
     found = [(solid_face(table, row, point).gap, row) for row in rows]
     nearest = nearest_solid(table, point, FARTHEST)
@@ -190,7 +195,7 @@ def _near_at_rest(there: Any, point: Vec, names: NamedObstacles) -> Iterator[_Ne
         yield from _one_by_one(there, point, [*names.planes, *names.own])
         return
     still = there.still if isinstance(there, MovingScene) else there
-    for gap, owner in _in_table(still.table, point):
+    for gap, owner in gaps_in(still.table, point):
         yield _Near(gap, names.at_rest[owner])
     yield from _one_by_one(still.own, point, names.own)
 
@@ -204,7 +209,7 @@ def _all_near(
         if body.kind != ABSENT and body.scene != 0.0:  # parts without solids are not met
             pose = body_pose(body, now)
             name = names.other if body.kind == CARRIED else names.moving[body.obstacle]
-            for gap, _ in _in_table(body.scene, (point - pose.position) @ pose.r):
+            for gap, _ in gaps_in(body.scene, (point - pose.position) @ pose.r):
                 yield _Near(gap, name)
 
 

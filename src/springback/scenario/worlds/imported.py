@@ -86,7 +86,9 @@ class Imported(Settings):
     name: Name = ""
     """Name for messages and drawings, put before the names of its elements."""
     file: str
-    """Path of the world, relative to the scenario; its suffix tells the format."""
+    """Path of the world, relative to the scenario; its suffix tells the format.  A mesh is read as
+    it is, z-up and in metres: one to be scaled or turned is an obstacle of type ``mesh``, which has
+    ``scale``, ``roll`` and ``pitch``."""
     search: tuple[str, ...] = ()
     """Further folders to search for what it includes (``model://``, ``package://``, meshes)."""
     surface: SurfaceSettings
@@ -113,6 +115,18 @@ class Imported(Settings):
     """What nothing can hit, by kind: pictures, lights, plugins."""
     content: Annotated[str, Field(pattern=r"^(|[0-9a-f]{64})$")] = ""
     """SHA-256 of the file, which is refused if its content is different."""
+
+    @model_validator(mode="before")
+    @classmethod
+    def _is_neither_scaled_nor_tilted(cls, given: Any) -> Any:
+        for key in ("scale", "roll", "pitch"):
+            if isinstance(given, Mapping) and key in given:
+                raise problem(
+                    "is no key of an import: an obstacle of type mesh has it, and the elements of "
+                    "a world have the scale and the pose of their file",
+                    key,
+                )
+        return given
 
     @model_validator(mode="after")
     def _representable(self) -> Imported:

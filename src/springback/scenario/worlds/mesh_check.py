@@ -20,7 +20,7 @@ from springback.contact.grids.distance_grids import (
 )
 from springback.contact.grids.measured_shapes import MeshBody
 from springback.contact.grids.mesh_files import triangles_of
-from springback.contact.thin_obstacles import COARSE, cell_advice
+from springback.contact.thin_obstacles import COARSE, SMALLER, cell_advice
 from springback.contact.unions import ShapeUnion
 from springback.errors import InputError, excerpt
 from springback.quantities import si_number
@@ -31,6 +31,8 @@ from springback.settings import problem
 LARGE = 50.0
 #: Cells across the thinnest parts with fewer of which forces are wrong by more (measured: boards).
 FEW = 3.0
+#: Suffixes of files that are y-up by definition, and often written z-up.
+Y_UP = (".glb",)
 #: Meshes whose sizes are remembered (chosen).
 LATEST = 64
 #: Most meshes that are named (chosen).
@@ -77,14 +79,45 @@ def mesh_warnings(obstacles: Sequence[Any]) -> list[str]:
                 "are too coarse; use a box, or an obstacle of type mesh with a smaller cell"
             )
         elif cell * COARSE > (thin := mesh.form().thinnest):
-            wrong = "up to 40 % wrong" if FEW * cell > thin else "up to 30 % wrong"
+            share = 40 if FEW * cell > thin else 30
             lost = ", and parts thinner than two cells are lost" if 2.0 * cell > thin else ""
             found.append(
                 f"{name}: cells of {cell:.3g} m are coarse for a mesh whose thinnest parts are "
-                f"{thin:.3g} m thick: forces on them are {wrong}{lost}; "
+                f"{thin:.3g} m thick: forces on them are up to {share} % too weak or too strong"
+                f"{lost}; "
                 f"{'' if path else 'as an obstacle of type mesh '}{cell_advice(mesh)}"
             )
     return found
+
+
+def axis_warnings(obstacles: Sequence[Any]) -> list[str]:
+    """Sentences on meshes that are not turned and whose format has y upwards by definition.
+
+    Args:
+        obstacles: Of a world.
+    """
+    found = []
+    for path, name, mesh in _meshes(obstacles):
+        if Path(mesh.file).suffix.lower() in Y_UP and not mesh.roll and not mesh.pitch:
+            what = "give" if path else "make it an obstacle of type mesh with"
+            found.append(
+                f"{name}: {excerpt(Path(mesh.file).name)} is read as z-up, {_by(mesh.extent())} m "
+                "along its x, y and z; if it was written y-up, as glTF defines, "
+                f'{what} roll = "90 deg"'
+            )
+    return found
+
+
+def smaller_cells(mesh: MeshBody) -> str:
+    """What to do for smaller cells, in words: less of a mesh, if it is too large for them.
+
+    Args:
+        mesh: Any.
+    """
+    least = least_cell(np.array(mesh.extent()))
+    if least < SMALLER * mesh.form().cell:
+        return f"give it smaller cells (cell, {least:.3g} m or more)"
+    return "make its thin parts a mesh of their own, which is a further obstacle, or boxes"
 
 
 def size_words(obstacle: Any) -> str:
