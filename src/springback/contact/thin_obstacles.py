@@ -76,8 +76,8 @@ class ThinObstacle(NamedTuple):
                 else f"make it thicker or stiffer, or {_APART}"
             )
         return (
-            f"{where}, hold to some {far}: beyond that they are too weak, and it is pushed out on "
-            f"the other side; {smaller}"
+            f"{where}, hold to some {far}: beyond that they are mostly too weak, and it is pushed "
+            f"out on the other side; {smaller}"
         )
 
 
