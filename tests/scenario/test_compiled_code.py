@@ -25,6 +25,10 @@ class Tyre(NamedTuple):
     radius: float
 
 
+def no_kernel(x: float) -> float:
+    return 0.0 * x
+
+
 @signed_distance.register(Tyre)
 @kernel
 def _(tyre: Tyre, point: Vec) -> float:
@@ -44,6 +48,7 @@ def _(tyre: Tyre, point: Vec) -> Vec:
 BAD = {
     "text": ("label = f'{dx:.3f}'", "format spec in f-strings not supported yet"),
     "list": ("dx += len([k for k in 'ab']) - 2", "a list, set, dictionary or text cannot be comp"),
+    "call": ("dx += no_kernel(dx)", "no_kernel is plain Python; mark it with @kernel"),
     "file": ("open('tyre.txt', 'w').close()", "Untyped global name 'open'"),
 }
 LINE = 1 + TYRE.splitlines().index("    BAD")

@@ -21,6 +21,8 @@ from springback.scenario.code_files import PACKAGE, error_place, error_words
 LONGEST = 200
 #: What the compiler says of a value that it would have to count references to.
 UNCOUNTED = "NRT required but not enabled"
+#: What the compiler says of a function that is not marked as a kernel.
+PLAIN = r"global name '(\w+)': Cannot determine Numba type of <class 'function'>"
 #: Beginnings of what the compiler says of a call whose own reason follows.
 NO_REASON = ("Failed in ", "No implementation of function ")
 
@@ -215,6 +217,8 @@ def _reason(text: str) -> str:
             "a list, set, dictionary or text cannot be compiled here; use floats, and tuples and "
             "NamedTuples of them"
         )
+    if plain := re.search(PLAIN, text):
+        return f"{plain.group(1)} is plain Python; mark it with @kernel"
     messages = re.findall(r"\w+Error: (?:Failed in .+\s+)?(.+)", text)
     reasons = [line for line in messages if not line.startswith(NO_REASON)]
     unknown = re.findall(r">>> (.+)", text)[-1:]  # the innermost call
