@@ -17,6 +17,7 @@ from springback.campaign.design.layout import Design, lay_out
 from springback.campaign.design.plan import Plan
 from springback.campaign.errors import CampaignError
 from springback.campaign.flying import Chunk, ChunkRows, try_code
+from springback.campaign.limits_check import unreached_success
 from springback.campaign.plan_check import check_conditions
 from springback.campaign.store import Store, changed_versions, open_store
 from springback.campaign.workers import GivenUp, Remark, fly_locally
@@ -169,7 +170,8 @@ def run_campaign(
         _check_gpu(scheduler)
     flyer = _chunk_flyer(scheduler, workers, device, tls, remark)
     with flyer as fly, open_store(folder, design, resume=resume) as store:
-        warned = (f"warning: {line}" for line in missing_elements(design.full_scenarios))
+        found = unreached_success(design) + missing_elements(design.full_scenarios)
+        warned = [f"warning: {line}" for line in found]
         for line in [*warned, *changed_versions(folder), *store.checked_parts()]:
             remark(line)
         fair = -(-(design.flights - store.done) // ((1 if on_gpu else SHARES) * workers))

@@ -170,7 +170,7 @@ def _check_plan(path: Path, overrides: Sequence[str], terminal: Terminal) -> Non
     from springback.campaign.design.layout import lay_out
     from springback.campaign.design.plan import read_plan
     from springback.campaign.flying import try_code
-    from springback.campaign.limits_check import unmet_limits
+    from springback.campaign.limits_check import unmet_limits, unreached_success
     from springback.campaign.plan_check import check_conditions
     from springback.interfaces.output.dimension_text import dimension_units, law_text
     from springback.scenario.scenario import scenario_from
@@ -202,7 +202,7 @@ def _check_plan(path: Path, overrides: Sequence[str], terminal: Terminal) -> Non
         data.setdefault("robots", {})[robot] = told
         text += ["", f"{robot}, without what varies:", *lines]
         warnings += [f"{robot}: {warning}" for warning in told["warnings"]]
-    warnings += unmet_limits(design)
+    warnings += unmet_limits(design) + unreached_success(design)
     terminal.print(data, "\n".join(text))
     _conclude(f"{path} can be flown", warnings, terminal)
 

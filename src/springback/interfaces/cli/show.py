@@ -298,6 +298,8 @@ def convert(
     write_atomically(out, world_toml(found, out.absolute().parent))
     for line in found.unrepresented:
         say(f"warning: not represented: {line}")
+    for line in found.remarks:
+        say(f"represented differently: {line}")
     terminal.note(f"{_summary(found)}; written to {out}")
 
 

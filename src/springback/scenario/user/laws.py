@@ -219,7 +219,7 @@ def _reason(text: str) -> str:
         )
     if plain := re.search(PLAIN, text):
         return f"{plain.group(1)} is plain Python; mark it with @kernel"
-    messages = re.findall(r"\w+Error: (?:Failed in .+\s+)?(.+)", text)
+    messages: list[str] = re.findall(r"\w+Error: (?:Failed in .+\s+)?(.+)", text)
     reasons = [line for line in messages if not line.startswith(NO_REASON)]
     unknown = re.findall(r">>> (.+)", text)[-1:]  # the innermost call
     reasons += [f"the compiler has no {call}" for call in unknown if len(call) <= LONGEST]
