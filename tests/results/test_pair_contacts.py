@@ -152,9 +152,9 @@ def test_a_gap_without_obstacles_is_refused_with_what_it_does_not_know() -> None
         "simulation": {"duration": 1e-3},
     }  # fmt: skip
     flight = fly(alone, executor="python")
-    with pytest.raises(InputError, match="has no obstacles$"):
+    with pytest.raises(InputError, match=r"has no obstacles$"):
         flight.gap()
     second = {"vehicle": "arq", "thrust": "hover", "start": {"position": [2.0, 0.0, 1.0]}}
     both = scenario_from({**alone, "second": second})
-    with pytest.raises(InputError, match="no distance between two vehicles$"):
+    with pytest.raises(InputError, match=r"no distance between two vehicles$"):
         replace(flight, scenario=both).gap()

@@ -56,7 +56,7 @@ def listing_only() -> Iterator[None]:
         _LISTED.reset(token)
 
 
-class ListedMesh(MeshBody):
+class PlainMesh(MeshBody):
     """A mesh that is only listed: its triangles are checked, its grid is not computed."""
 
     def check_form(self) -> None:
@@ -64,7 +64,7 @@ class ListedMesh(MeshBody):
         self.triangles()
 
 
-class ListedOccupancy(OccupancyGrid):
+class PlainOccupancy(OccupancyGrid):
     """An occupancy grid that is only listed: its cells are read, distances are not computed."""
 
     def check_form(self) -> None:
@@ -73,8 +73,8 @@ class ListedOccupancy(OccupancyGrid):
 
 
 _LISTED_KINDS: dict[str, type[MeshBody | OccupancyGrid]] = {
-    "mesh": ListedMesh,
-    "occupancy": ListedOccupancy,
+    "mesh": PlainMesh,
+    "occupancy": PlainOccupancy,
 }
 
 
