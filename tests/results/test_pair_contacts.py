@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -143,3 +144,17 @@ def test_hulls_of_both_are_among_the_contacts() -> None:
         assert np.abs(found.normal[:, 4] - one.columns["fn_body"]).max() < 1e-10
     assert flight.columns["fn_body"].max() + flight.second.columns["fn_body"].max() > 1.0
     assert flight.specific_force([0.1, 0.0, 0.0]).shape == (len(flight.t), 3)
+
+
+def test_a_gap_without_obstacles_is_refused_with_what_it_does_not_know() -> None:
+    alone = {
+        "vehicle": "arq", "thrust": "hover", "world": {"obstacles": []},
+        "simulation": {"duration": 1e-3},
+    }  # fmt: skip
+    flight = fly(alone, executor="python")
+    with pytest.raises(InputError, match=r"has no obstacles$"):
+        flight.gap()
+    second = {"vehicle": "arq", "thrust": "hover", "start": {"position": [2.0, 0.0, 1.0]}}
+    both = scenario_from({**alone, "second": second})
+    with pytest.raises(InputError, match=r"no distance between two vehicles$"):
+        replace(flight, scenario=both).gap()

@@ -203,7 +203,29 @@ class Nothing(NamedTuple):
     x: float
 
 
+class HalfDone(NamedTuple):
+    """Only its distance is registered."""
+
+    x: float
+
+
 def test_errors_of_the_users_functions_are_told_with_their_place() -> None:
     """A shape without functions, in one line."""
     with pytest.raises(InputError, match=r"own\[0\], Nothing: .*has no signed_distance"):
         fly(SCENARIO, own=[(Nothing(1.0), WALL)], executor="python")
+
+
+@signed_distance.register(HalfDone)  # type: ignore[attr-defined]
+@kernel
+def half_distance(half: HalfDone, point: Vec) -> float:
+    return half.x - point.x
+
+
+def test_a_shape_without_a_normal_is_named_with_its_file() -> None:
+    """Was: ':1: TypeError', without a file."""
+    with pytest.raises(InputError) as caught:
+        check_own_obstacles([(HalfDone(3.0), WALL)], START)
+    assert str(caught.value) == (
+        f"own[0], HalfDone: {__file__}: has no outward_normal: register one, by "
+        "@outward_normal.register(HalfDone)"
+    )

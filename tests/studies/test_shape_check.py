@@ -13,6 +13,7 @@ import pytest
 from builders.cases import nonempty
 from builders.user_obstacles import Ball, Box, Pole, pole_distance, pole_normal
 from springback.contact.obstacles import outward_normal, signed_distance
+from springback.kernels.compiler import kernel
 from springback.kernels.vectors import Vec, norm
 from springback.studies.shape_check import check_shape
 
@@ -205,6 +206,7 @@ class Egg(NamedTuple):
     half: Vec
 
 
+@kernel
 def _slope_of(egg: Egg, point: Vec) -> tuple[float, Vec]:
     d, h = point - egg.centre, egg.half
     value = (d.x / h.x) ** 2 + (d.y / h.y) ** 2 + (d.z / h.z) ** 2 - 1.0
@@ -212,12 +214,14 @@ def _slope_of(egg: Egg, point: Vec) -> tuple[float, Vec]:
 
 
 @signed_distance.register(Egg)
+@kernel
 def _(egg: Egg, point: Vec) -> float:
     value, slope = _slope_of(egg, point)
     return value / (norm(slope) + 1e-12)
 
 
 @outward_normal.register(Egg)
+@kernel
 def _(egg: Egg, point: Vec) -> Vec:
     slope = _slope_of(egg, point)[1]
     return slope * (1.0 / norm(slope))

@@ -25,7 +25,7 @@ from springback.kernels.trees import leaves
 from springback.progress import Progress, silent, stage
 from springback.recovery.evaluator import EvaluatorMemory
 from springback.results.contacts.places import NamedObstacles, names_in
-from springback.results.flight import check_user_code, fly_built, pair_flight
+from springback.results.flight import fly_built, pair_flight
 from springback.results.recovery_measures import (
     RECOVERY_MEASURES,
     guided_result,
@@ -36,7 +36,7 @@ from springback.results.saved import SECOND
 from springback.scenario.avionics import normals_at_start
 from springback.scenario.build import ReadyFlight
 from springback.scenario.scenario import scenario_from
-from springback.scenario.user.laws import in_words
+from springback.scenario.user.compiled import compiling
 from springback.simulation.flight import LANES, fly_buffers
 from springback.simulation.guided import GuidedFlight
 from springback.simulation.guided_batch import GUIDED_LANES, fly_groups
@@ -289,17 +289,9 @@ def _on_gpu() -> _Fly:
 def _fly_kind(kind: _Kind, fly: _Fly, progress: Progress, out: Rows) -> None:
     """Fly all flights of one kind, and store their results."""
     laid, width, count = kind.loader.flights(), kind.loader.width, len(kind.numbers)
-    before = energies(laid.shape, laid.buffers, width, count)
-    built_avionics = kind.first.built_avionics
-    if built_avionics is None or laid.avionics is None or laid.onboard is None:
-        thrusts = kind.first.thrusts
-        fly.impacts(laid.shape, laid.buffers, width, thrusts=thrusts, progress=progress)
-    else:
-        flight = GuidedFlight(laid.model, laid.start, laid.avionics)
-        buffers = FlightBuffers(laid.buffers, laid.onboard, lanes_of(width))
-        noise = FlightNoise(built_avionics.noise, kind.seeds, [0] * count)
-        with in_words(check_user_code(kind.first)):
-            fly.guided(flight, buffers, noise, progress=progress)
+    with compiling(kind.first):
+        before = energies(laid.shape, laid.buffers, width, count)
+        _fly_laid(kind, laid, fly, progress)
     words, columns = _read(laid, before, width, count)
     numbers = np.array(kind.numbers)
     touched = _first_obstacles(laid, kind.names, width)
@@ -307,6 +299,20 @@ def _fly_kind(kind: _Kind, fly: _Fly, progress: Progress, out: Rows) -> None:
         out.outcomes[number], out.first_obstacles[number] = word, first
     for name, column in columns.items():
         out.measures[name][numbers] = column
+
+
+def _fly_laid(kind: _Kind, laid: LoadedFlights, fly: _Fly, progress: Progress) -> None:
+    """Fly the buffers of all flights of one kind."""
+    width, count = kind.loader.width, len(kind.numbers)
+    built_avionics = kind.first.built_avionics
+    if built_avionics is None or laid.avionics is None or laid.onboard is None:
+        thrusts = kind.first.thrusts
+        fly.impacts(laid.shape, laid.buffers, width, thrusts=thrusts, progress=progress)
+        return
+    flight = GuidedFlight(laid.model, laid.start, laid.avionics)
+    buffers = FlightBuffers(laid.buffers, laid.onboard, lanes_of(width))
+    noise = FlightNoise(built_avionics.noise, kind.seeds, [0] * count)
+    fly.guided(flight, buffers, noise, progress=progress)
 
 
 def _read(

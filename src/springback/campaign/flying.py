@@ -11,9 +11,9 @@ from springback.campaign.design.layout import Design, design_of
 from springback.contact.parameters import PLANES
 from springback.errors import InputError
 from springback.kernels.compiler import no_collection
-from springback.results.flight import check_user_code
 from springback.scenario.code_files import changed_files
 from springback.scenario.scenario import scenario_from
+from springback.scenario.user.compiled import compile_user_code
 
 #: Flights of a chunk that are looked at for kinds to be compiled (chosen).
 FEW = 6
@@ -54,7 +54,7 @@ def try_code(design: Design, device: Device = "cpu") -> None:
     """Build each robot with the user's own code, if there is any, before anything is flown.
 
     Raises:
-        InputError: If a file cannot be used, or something cannot fly on the device.
+        InputError: If a file cannot be used or compiled, or something cannot fly on the device.
     """
     if device != "cpu":
         for base in design.bases:
@@ -62,7 +62,7 @@ def try_code(design: Design, device: Device = "cpu") -> None:
     for base in design.bases if design.code else ():
         if device != "cpu":
             raise InputError(f"--device {device}: cannot fly code of your own; use cpu")
-        check_user_code(scenario_from(base, False).build(advises=False))
+        compile_user_code(scenario_from(base, False).build(advises=False))
 
 
 def _check_planes(base: Mapping[str, Any], device: Device) -> None:

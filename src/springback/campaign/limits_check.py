@@ -1,6 +1,8 @@
-"""Limits of success that no arm can keep to, whatever its spring and damper."""
+"""Conditions of success that no flight can meet."""
 
 from __future__ import annotations
+
+import re
 
 import numpy as np
 from pydantic import ValidationError
@@ -11,6 +13,7 @@ from springback.campaign.design.success import upper_limit
 from springback.errors import InputError
 from springback.scenario.presets import expand_presets
 from springback.scenario.tables import ScenarioTables
+from springback.simulation.measuring.measures import Outcome
 from springback.studies.approach import ObstacleApproach, approach_ahead
 from springback.studies.scenario_check import least_deceleration
 
@@ -21,6 +24,29 @@ DECELERATIONS = (
 )  # fmt: skip
 #: Flights that are looked at, spread over the campaign (chosen).
 TRIED = 256
+
+
+def unreached_success(design: Design) -> list[str]:
+    """Sentence on a success that asks for a recovery, where no flight can recover.
+
+    Args:
+        design: Whose success is a list of conditions in words.
+    """
+    given = design.plan.success
+    asked = isinstance(given, tuple) and any(
+        {part.strip() for part in re.split(r"\bor\b", text)} == {Outcome.RECOVERED.word}
+        for text in given
+    )
+    keys = {
+        key for base in design.bases for key in ("recovery", "pilot") if base.get(key) is not None
+    }
+    varied = {one.table for one in design.dimensions}
+    if not asked or keys or design.plan.pilots or varied & {"recovery", "pilot"}:
+        return []
+    return [
+        f"success asks for {Outcome.RECOVERED.word}, and no flight can be: the scenario has no "
+        "[recovery], so that every flight counts as a failure"
+    ]
 
 
 def unmet_limits(design: Design) -> list[str]:

@@ -17,11 +17,13 @@ from springback.campaign.design.layout import Design, lay_out
 from springback.campaign.design.plan import Plan
 from springback.campaign.errors import CampaignError
 from springback.campaign.flying import Chunk, ChunkRows, try_code
+from springback.campaign.limits_check import unreached_success
 from springback.campaign.plan_check import check_conditions
 from springback.campaign.store import Store, changed_versions, open_store
 from springback.campaign.workers import GivenUp, Remark, fly_locally
 from springback.errors import InputError
 from springback.scenario.user.laws import source_text
+from springback.scenario.warnings import missing_elements
 
 if TYPE_CHECKING:
     from springback.campaign.cluster import Tls
@@ -145,7 +147,7 @@ def run_campaign(
         tls: Certificates for it, if it uses TLS.
         device: Device of the workers: ``cpu``, or ``gpu`` for an NVIDIA GPU that they share.
         progress: Called with the progress after each part.
-        remark: Called with a message about each problem that was handled.
+        remark: Called with a message about each problem that was handled, and each warning.
 
     Returns:
         The campaign, to be queried.
@@ -168,7 +170,9 @@ def run_campaign(
         _check_gpu(scheduler)
     flyer = _chunk_flyer(scheduler, workers, device, tls, remark)
     with flyer as fly, open_store(folder, design, resume=resume) as store:
-        for line in [*changed_versions(folder), *store.checked_parts()]:
+        found = unreached_success(design) + missing_elements(design.full_scenarios)
+        warned = [f"warning: {line}" for line in found]
+        for line in [*warned, *changed_versions(folder), *store.checked_parts()]:
             remark(line)
         fair = -(-(design.flights - store.done) // ((1 if on_gpu else SHARES) * workers))
         size = wanted if chunk else max(1, min(wanted, fair))

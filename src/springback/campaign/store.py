@@ -332,6 +332,8 @@ def read_metadata(folder: Path) -> dict[str, Any]:
     try:
         found = read_object(path)
     except FileNotFoundError:
+        if not folder.exists():
+            raise InputError(f"{folder}: there is no such folder") from None
         raise InputError(f"{folder}: has no campaign ({METADATA} is missing)") from None
     if not is_sealed(found):
         raise InputError(f"{path}: is damaged, or was written by another version or edited")

@@ -14,7 +14,6 @@ import numpy as np
 from springback.contact.thin_obstacles import ThinObstacle
 from springback.contact.worlds import Own
 from springback.errors import InputError
-from springback.recovery.detection import CollisionInputs
 from springback.results.columns import telemetry_columns, trajectory_columns, work_columns
 from springback.results.contacts.distances import gaps
 from springback.results.contacts.places import first_obstacle, obstacle_contacts
@@ -25,24 +24,21 @@ from springback.results.motion import columns_at, sensor_readings, specific_forc
 from springback.results.pair.flying import fly_beside, of_second
 from springback.results.recovery_measures import guided_result
 from springback.results.result import FlightResult, ObstacleContact
-from springback.scenario.avionics import CompiledEstimator, CompiledPilot
 from springback.scenario.build import ReadyFlight, user_parts
 from springback.scenario.files import as_input, checked_scenario, read_scenario
 from springback.scenario.overrides import apply_overrides
 from springback.scenario.scenario import Scenario, scenario_from
-from springback.scenario.user.laws import Law, in_words, source_text
+from springback.scenario.user.compiled import check_user_code, compiling
+from springback.scenario.user.laws import source_text
 from springback.scenario.user.pilots import (
     AnyPilot,
-    check_compiled_pilot,
     chosen_pilot,
     guarded_pilot,
 )
-from springback.scenario.user.sensing import check_detector, check_estimator
-from springback.simulation.flight import Executor, FlightRecord, fly_one, own_types
+from springback.simulation.flight import Executor, FlightRecord, fly_one
 from springback.simulation.guided import GuidedFlight, GuidedFlown, fly_guided, ticks_of
 from springback.simulation.measuring.measures import measures_of, outcome_of
 from springback.simulation.noise import noise_table
-from springback.simulation.onboard import Avionics
 from springback.simulation.thrusts import ThrustTable
 from springback.simulation.trajectory import check_instants
 
@@ -301,10 +297,11 @@ def fly(
             ready, built, trajectory=trajectory, executor=executor, progress=progress
         )
         return _wary(replace(flight, own=parts.obstacles))
-    flown = fly_one(
-        built.model, built.start, thrusts=built.thrusts, trace=trajectory, executor=executor,
-        interval=ready.simulation.record_interval, progress=progress,
-    )  # fmt: skip
+    with compiling(built):
+        flown = fly_one(
+            built.model, built.start, thrusts=built.thrusts, trace=trajectory, executor=executor,
+            interval=ready.simulation.record_interval, progress=progress,
+        )  # fmt: skip
     return _wary(replace(_flight_of(ready, flown, built.thrusts), own=parts.obstacles))
 
 
@@ -331,7 +328,8 @@ def pair_flight(ready: Scenario, built: ReadyFlight, **options: Any) -> Flight:
     other = ready.beside()
     with of_second():
         built_beside = ready_flight(other)
-    flown = fly_beside(ready, built, built_beside, **options)
+    with compiling(built, built_beside):
+        flown = fly_beside(ready, built, built_beside, **options)
     first, second = map(_flight_of, (ready, other), flown)
     return replace(first, second=replace(second, first=first))
 
@@ -406,9 +404,8 @@ def fly_built(
     avionics, draws = built.built_avionics
     rotors = len(built.model.thrust)
     plain = None if built.plain is None else guarded_pilot(built.plain, rotors)
-    laws = check_user_code(built)
     ticks = ticks_of(built.model.timing.until, avionics.systems.period)
-    with in_words(laws):
+    with compiling(built):
         return fly_guided(
             GuidedFlight(built.model, built.start, avionics),
             noise_table(built.seed, 0, ticks, draws),
@@ -426,36 +423,6 @@ def ready_flight(scenario: Scenario) -> ReadyFlight:
         built = scenario.build()
     check_user_code(built)
     return built
-
-
-def check_user_code(built: ReadyFlight) -> list[Law]:
-    """Laws of the user's own that a flight compiles, each called once in plain Python.
-
-    Raises:
-        InputError: If one fails, with its file and line.
-    """
-    laws: list[Law] = []
-    if built.built_avionics is None:
-        return laws
-    onboard = built.built_avionics.avionics.onboard
-    for part in built.compiled:
-        if not own_types(part):
-            continue
-        if isinstance(part, CompiledPilot):
-            rotors = len(built.model.thrust)
-            laws.append(check_compiled_pilot(part, onboard.measurement, rotors))
-        elif isinstance(part, CompiledEstimator):
-            laws.append(check_estimator(part, onboard.measurement))
-        else:
-            laws.append(check_detector(part, first_inputs(built.built_avionics.avionics)))
-    return laws
-
-
-def first_inputs(avionics: Avionics) -> CollisionInputs:
-    """What the detectors of a pilot that recovers are given, before its first tick."""
-    airframe, memory = avionics.systems.pilot.cascade.airframe, avionics.onboard.pilot
-    at, wrench = memory.flight.estimate, memory.wrench
-    return CollisionInputs(airframe, avionics.onboard.measurement, at, wrench)
 
 
 def _check_executor(executor: str) -> None:

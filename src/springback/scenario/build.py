@@ -89,6 +89,8 @@ class ReadyFlight(NamedTuple):
     """Thrusts over time, without a pilot."""
     compiled: tuple[CompiledPilot | CompiledEstimator | CompiledDetector, ...] = ()
     """Parts of the avionics that are the user's own."""
+    obstacles: tuple[Own, ...] = ()
+    """Obstacles that are the user's own, with their surfaces."""
 
 
 def user_parts(
@@ -168,7 +170,8 @@ def build_flight(
         check_start_beside(s, model, start, zip(names, parts.obstacles, strict=True))
     if s.reference is None and pilot is None:
         check_without_pilot(s)
-        return ReadyFlight(s.seed, model, start, None, thrusts=thrust_table(s.thrust))
+        thrusts = thrust_table(s.thrust)
+        return ReadyFlight(s.seed, model, start, None, thrusts=thrusts, obstacles=parts.obstacles)
     if isinstance(s.thrust, ThrustSettings):
         raise problem("must not be a table where a pilot flies, who commands it", "thrust")
     if pilot is not None and s.model.slider is not None:
@@ -179,7 +182,10 @@ def build_flight(
     with blaming_the_clock(s):
         chosen = _chosen_pilot(s, parts, start, model.thrust, advises)
         avionics = build_avionics(s, model, start, chosen.flown_by, normals, build)
-    return ReadyFlight(s.seed, model, start, avionics, chosen.plain, compiled=chosen.compiled)
+    return ReadyFlight(
+        s.seed, model, start, avionics, chosen.plain,
+        compiled=chosen.compiled, obstacles=parts.obstacles,
+    )  # fmt: skip
 
 
 class _ChosenPilot(NamedTuple):

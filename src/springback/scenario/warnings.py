@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import math
 import shlex
-from collections.abc import Set
+from collections.abc import Iterable, Mapping, Sequence, Set
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -134,17 +135,36 @@ def _nothing_beside(scenario: ScenarioTables) -> list[str]:
 
 def _unrepresented(scenario: ScenarioTables) -> list[str]:
     """Elements of imported worlds that are not there."""
-    found = []
-    for k, entry in enumerate(scenario.world.obstacles):
-        if isinstance(entry, Imported) and entry.unrepresented:
-            count, first = len(entry.unrepresented), entry.unrepresented[0]
-            total = count + len(entry.elements)
-            found.append(
-                f"world.obstacles[{k}]: {count} of {total} elements of {Path(entry.file).name} "
-                f"cannot be represented and are not there: {first}{', ...' if count > 1 else ''}; "
-                f"all are listed by: springback world show {shlex.quote(entry.file)}"
-            )
-    return found
+    return [
+        _missing(k, entry.file, entry.unrepresented, len(entry.elements))
+        for k, entry in enumerate(scenario.world.obstacles)
+        if isinstance(entry, Imported) and entry.unrepresented
+    ]
+
+
+def missing_elements(scenarios: Iterable[Mapping[str, Any]]) -> list[str]:
+    """Warnings about elements of imported worlds that are not there, one sentence each.
+
+    Args:
+        scenarios: Scenarios as tables, with the content of their worlds, as they are saved.
+    """
+    lines = [
+        _missing(k, entry["file"], entry["unrepresented"], len(entry["elements"]))
+        for tables in scenarios
+        for k, entry in enumerate(tables["world"]["obstacles"])
+        if entry["type"] == "import" and entry.get("unrepresented")
+    ]
+    return list(dict.fromkeys(lines))
+
+
+def _missing(number: int, file: str, missing: Sequence[str], others: int) -> str:
+    """Warning about the elements of one world that are not there, beside others that are."""
+    count, more = len(missing), ", ..." if len(missing) > 1 else ""
+    return (
+        f"world.obstacles[{number}]: {count} of {count + others} elements of {Path(file).name} "
+        f"cannot be represented and are not there: {missing[0]}{more}; all are listed by: "
+        f"springback world show {shlex.quote(file)}"
+    )
 
 
 def _warnings_of_the_pilot(scenario: ScenarioTables, own: bool, given: Set[str]) -> list[str]:

@@ -11,10 +11,11 @@ from springback.errors import InputError
 from springback.recovery.detector import DetectorStep
 from springback.recovery.parameters import RecoverySettings
 from springback.results.estimate_errors import estimate_errors
-from springback.results.flight import Flight, first_inputs, guided_flight
+from springback.results.flight import Flight, guided_flight
 from springback.scenario.avionics import CompiledDetector, CompiledEstimator
 from springback.scenario.build import UserParts, pilot_context
 from springback.scenario.scenario import Scenario, scenario_from
+from springback.scenario.user.compiled import first_inputs
 from springback.scenario.user.laws import home_of
 from springback.scenario.user.sensing import Part, read_sensing
 from springback.sensing.estimation import EstimatorSettings

@@ -14,6 +14,7 @@ from springback.contact.obstacles import signed_distance
 from springback.errors import InputError
 from springback.kernels.vectors import Vec, norm
 from springback.progress import Progress, silent
+from springback.scenario.user.laws import laws_of_shape
 from springback.scenario.user.obstacles import SHARE, SampledPoints, check_shape_from
 from springback.studies.pilot_check import Finding
 
@@ -42,12 +43,16 @@ def check_shape(shape: Any, start: Vec, *, progress: Progress = silent) -> list[
     place others are looked for, up to `MOST_PLACES`.  Rays from the start, and from points around
     all places, then sample both functions
     (`springback.scenario.user.obstacles.check_shape_from`).  At all points on their ways the
-    distance is compared with that from all places where the surface was met.
+    distance is compared with that from all places where the surface was met.  If nothing is wrong,
+    both functions are compiled.
 
     Args:
         shape: A NamedTuple with `signed_distance` and `outward_normal`.
         start: Position of a vehicle, world [m].
         progress: Called with the fraction of the points done.
+
+    Raises:
+        InputError: If a function cannot be compiled, with file and line.
     """
     problems: list[str] = []
     places: list[Vec] = []
@@ -95,6 +100,10 @@ def check_shape(shape: Any, start: Vec, *, progress: Progress = silent) -> list[
     others = [line for line in problems if not line.startswith(named)]
     if others:
         findings.append(Finding("answers everywhere", False, others[0].partition(": ")[2]))
+    if not problems:
+        for law in laws_of_shape(shape, start):
+            law.compile()
+        findings.append(Finding("can be compiled", True, "as a flight needs it"))
     return findings
 
 

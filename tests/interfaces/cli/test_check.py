@@ -98,7 +98,7 @@ def test_an_obstacle_is_checked_by_name_or_by_its_type(name: str) -> None:
     words = ["x=2.75", "y=0", "radius=0.05"] if name == "Pole" else []
     done = check(f"{EXAMPLES / 'own_obstacle.py'}:{name}", *words, str(EXAMPLES / "arq_wall.toml"))
     assert "pass  outward_normal" in done.stdout
-    assert "3 of 3 passed" in done.stderr
+    assert "4 of 4 passed" in done.stderr
 
 
 def test_a_wrong_obstacle_fails_with_its_reason(tmp_path: Path) -> None:

@@ -17,11 +17,11 @@ from springback.contact.obstacles import signed_distance
 from springback.errors import InputError
 from springback.interfaces.cli.app import cli
 from springback.interfaces.cli.examples import TEMPLATES
-from springback.results.flight import check_user_code
 from springback.scenario.avionics import CompiledPilot
 from springback.scenario.build import user_parts
 from springback.scenario.code_files import read_object
 from springback.scenario.fields import fields_of
+from springback.scenario.user.compiled import check_user_code
 from springback.scenario.user.obstacles import check_own_obstacles
 from springback.scenario.user.pilots import read_pilot
 from springback.studies.sensing_check import sensing_kind

@@ -83,7 +83,7 @@ def test_damaged_trees_are_refused(tmp_path: Path, name: str) -> None:
     whole = WRITE[name]({(0, 0, 0), (3, 1, 2)}, 0.25)
     for data, said in (
         (whole[:-3], "ends within the tree"),
-        (whole + b"x", "has 1 bytes after the tree"),
+        (whole + b"x", "has 1 byte after the tree"),
         (whole.replace(b"res 0.25", b"res nan"), "res: must be 1e-06 to 1000 m"),
         (whole.replace(b"res 0.25", b"ress"), r"res: must be .* \(got ''\)"),
         (whole.replace(b"id OcTree", b"id Tree"), "id: must be OcTree or ColorOcTree"),

@@ -320,6 +320,16 @@ def test_convert_writes_obstacles_and_warns(tmp_path: Path) -> None:
             raise run("convert", str(path), "--out", str(out), *words).exception or AssertionError
 
 
+def test_convert_tells_what_is_represented_differently(tmp_path: Path) -> None:
+    """Was: told by show alone."""
+    path = tmp_path / "w.sdf"
+    free = sdf_model("crate", "<box><size>1 1 1</size></box>").replace("<static>true</static>", "")
+    path.write_text(sdf(free))
+    [line] = read_world(path).remarks
+    done = run("convert", str(path), "--out", str(tmp_path / "o.toml"))
+    assert f"represented differently: {line}" in done.stderr
+
+
 def test_a_file_of_another_content_than_noted_is_refused(tmp_path: Path) -> None:
     whole = IMPORT + f'content = "{hashlib.sha256(ALL.encode()).hexdigest()}"\n'
     assert len(scenario(tmp_path, ALL, whole).world.obstacles[0].parts) == 9  # type: ignore[union-attr]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import json
 import struct
 from pathlib import Path
 from typing import Any
@@ -14,11 +15,12 @@ from click.testing import CliRunner
 from builders.cases import nonempty
 from builders.world_files import imported, sdf, sdf_model
 from springback import InputError, read_world
+from springback.contact.grids.measured_shapes import MeshBody
 from springback.interfaces.cli.app import cli
 from springback.scenario.scenario import scenario_from
 from springback.scenario.worlds.content import WorldContent
 from springback.scenario.worlds.files import world_content
-from springback.scenario.worlds.imported import KINDS
+from springback.scenario.worlds.imported import KINDS, listing_only
 
 CORNERS = np.array(list(itertools.product((-0.5, 0.5), repeat=3)))
 FACES = [
@@ -154,3 +156,69 @@ def test_a_mesh_that_is_all_of_a_file_is_read_or_refused(tmp_path: Path) -> None
             scenario_from({"vehicle": "arq", "world": {"obstacles": [entry]}})
         shown = CliRunner().invoke(cli, ["world", "show", str(tmp_path / name)])
         assert isinstance(shown.exception, InputError)  # one line and exit code 2
+
+
+# -- listed ---------------------------------------------------------------------------------------
+
+
+@pytest.fixture
+def no_grids(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Fail where a distance grid is computed or looked up."""
+
+    def fail(*_: Any) -> Any:
+        raise AssertionError("a distance grid is made")
+
+    monkeypatch.setattr("springback.contact.grids.measured_shapes.stored_grid", fail)
+
+
+def show(*words: str) -> Any:
+    """Outcome of ``springback world show``."""
+    return CliRunner().invoke(cli, ["world", "show", *words], catch_exceptions=False)
+
+
+@pytest.mark.usefixtures("no_grids")
+def test_a_mesh_is_shown_with_its_size_and_without_its_grid(tmp_path: Path) -> None:
+    """Was: two minutes without a word for a room of 7 faces."""
+    path = tmp_path / "crate.stl"
+    path.write_bytes(cube())
+    done = show(str(path))
+    assert "crate  mesh" in done.stdout
+    assert "1 x 1 x 1 m" in done.stdout
+    assert "warning" not in done.stderr
+    [one] = json.loads(show(str(path), "--json").stdout)["elements"]
+    assert (one["name"], one["extent"]) == ("crate", [1.0, 1.0, 1.0])
+    text = sdf(sdf_model("a", mesh("crate.stl", "60 60 60")))
+    (tmp_path / "w.sdf").write_text(text)
+    assert (
+        "is a mesh 60 m wide; with scale = 0.06 it would be 0.06 m"
+        in show(str(tmp_path / "w.sdf")).stderr
+    )
+
+
+@pytest.mark.usefixtures("no_grids")
+def test_what_cannot_be_a_mesh_is_listed_without_a_grid_too(tmp_path: Path) -> None:
+    (tmp_path / "open.stl").write_bytes(cube(FACES[:-1]))
+    (tmp_path / "w.sdf").write_text(sdf(sdf_model("a", mesh("open.stl"))))
+    assert "open.stl: is open" in show(str(tmp_path / "w.sdf")).stdout
+    np.savez(tmp_path / "cells.npz", occupancy=np.ones((3, 3, 3)), cell=0.1)
+    assert "1 element (1 occupancy)" in show(str(tmp_path / "cells.npz")).stderr
+
+
+def test_a_world_that_was_listed_is_whole_when_it_is_flown(tmp_path: Path) -> None:
+    """The listing leaves nothing behind that has no grid."""
+    path = tmp_path / "crate.stl"
+    path.write_bytes(cube())
+    with listing_only():
+        [listed] = read_world(path).parts
+    [flown] = read_world(path).parts
+    assert type(listed.obstacle) is not type(flown.obstacle) is MeshBody
+
+
+def test_elements_have_their_names_in_json(tmp_path: Path) -> None:
+    """Was: an empty name each, that of the obstacle."""
+    box = "<box><size>1 1 1</size></box>"
+    (tmp_path / "w.sdf").write_text(sdf(sdf_model("a", box), sdf_model("b", box)))
+    found = json.loads(show(str(tmp_path / "w.sdf"), "--json").stdout)["elements"]
+    names = [part.name for part in read_world(tmp_path / "w.sdf").parts]
+    assert [one["name"] for one in found] == names
+    assert all(nonempty(names))

@@ -21,6 +21,7 @@ from springback.intervals import (
 )
 from springback.results.database import identifier, literal
 from springback.results.saved import LARGEST
+from springback.scenario.warnings import missing_elements
 from springback.simulation.measuring.measures import Outcome
 
 #: Measures of a summary, if any flight has them.
@@ -146,6 +147,8 @@ class Summary:
     pairs: tuple[PairSummary, ...]
     refusal: str = ""
     """Sentence on flights that could not be flown, with an example; empty if none."""
+    warnings: tuple[str, ...] = ()
+    """Warnings about the scenario: elements of imported worlds that are not there."""
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data, for JSON."""
@@ -160,6 +163,7 @@ class Summary:
             "intervals": "shares: Wilson; quantiles: order statistics; pairs: Agresti and Min",
             "robots": [robot.as_dict() for robot in self.robots],
             "pairs": [pair.as_dict() for pair in self.pairs], "refusal": self.refusal,
+            "warnings": list(self.warnings),
         }  # fmt: skip
 
 
@@ -180,7 +184,9 @@ def summary(campaign: Campaign) -> Summary:
         for k, first in enumerate(names)
         for second in names[k + 1 :]
     )
-    return Summary(campaign, robots, pairs, _refusal(campaign, sum(one.refused for one in robots)))
+    refusal = _refusal(campaign, sum(one.refused for one in robots))
+    warnings = missing_elements(campaign.metadata.get("scenarios", {}).values())
+    return Summary(campaign, robots, pairs, refusal, tuple(warnings))
 
 
 def _refusal(campaign: Campaign, refused: int) -> str:

@@ -312,6 +312,10 @@ class Plan(Settings):
         return hashlib.sha256(text.encode()).hexdigest()
 
 
+#: Tables of scenarios that plans do not have.
+OF_SCENARIOS = {"vehicle", "world", "start", "thrust", "reference", "simulation"}
+
+
 class Source:
     """Origin of a plan, for messages about its problems."""
 
@@ -356,6 +360,12 @@ def read_plan(path: str | Path, overrides: Sequence[str] = ()) -> tuple[Plan, So
     tables = json_tables if path.suffix == ".json" else toml_tables
     given = tables(text, str(path))
     source = Source(str(path), text, overrides)
+    if "scenario" not in given and given.keys() & OF_SCENARIOS:
+        raise InputError(
+            f"{path}: is a scenario, not a plan of a campaign: name it in one, "
+            f'scenario = "{path.name}", with what varies ([[vary]]); springback new campaign '
+            "writes a plan to start from"
+        )
     if any(key_path(word.partition("=")[0])[:1] == ("scenario",) for word in overrides):
         given = _with_tables(given, path.parent, source)
     plan = plan_from(apply_overrides(given, overrides), source)

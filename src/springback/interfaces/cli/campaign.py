@@ -225,7 +225,10 @@ def _bar(
 def _print_cost(design: Any, workers: int | None, output: Output) -> None:
     """Print the estimated cost of a campaign."""
     from springback.campaign.cost_estimate import cost_estimate
+    from springback.scenario.warnings import missing_elements
 
+    for line in missing_elements(design.full_scenarios):
+        say(f"warning: {line}")
     with output.spinner("flying a few"):
         coming = cost_estimate(design, workers, output.note)
     output.print(coming.as_dict(), coming.sentence())

@@ -38,8 +38,8 @@ def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
     The distance and the normal of an obstacle are sampled wherever its surface is found, searching
     from the start of the SCENARIO (by default [0, 0, 1] m) and from all sides, inside and outside.
     What counts as wrong: a distance that is overstated, does not grow by 1 m per metre or is not a
-    number, and a normal that does not have length 1 or is not the gradient. NAME is a shape, or its
-    type with KEY=VALUE for its fields.
+    number, and a normal that does not have length 1 or is not the gradient. If both are right, they
+    are compiled. NAME is a shape, or its type with KEY=VALUE for its fields.
 
     An estimator or a detector flies the SCENARIO within springback's pilot: by default quad hovers
     on the estimates, which must be near the truth, or flies into a wall at 2 m/s, which the
@@ -103,16 +103,17 @@ def _check_scenario(path: Path, overrides: Sequence[str], terminal: Terminal) ->
     from springback.results.flight import ready_flight
     from springback.results.pair.flying import of_second
     from springback.scenario.files import as_input, read_scenario
+    from springback.scenario.user.compiled import compile_user_code
     from springback.scenario.worlds.mesh_check import telling
 
     with terminal.spinner(_CHECKING) as tell:
         with telling(tell):
             scenario = read_scenario(path, overrides)
         with as_input(path, overrides):
-            ready_flight(scenario)  # code of the user's own that cannot be used is refused
+            compile_user_code(ready_flight(scenario))
             if scenario.second is not None:
                 with of_second():
-                    ready_flight(scenario.beside())
+                    compile_user_code(ready_flight(scenario.beside()))
         told, lines = _findings(scenario)
     terminal.print({"kind": "scenario", **told}, "\n".join(lines))
     _conclude(f"{path} can be flown", told["warnings"], terminal)
@@ -168,7 +169,8 @@ def _conclude(sentence: str, warnings: list[str], terminal: Terminal) -> None:
 def _check_plan(path: Path, overrides: Sequence[str], terminal: Terminal) -> None:
     from springback.campaign.design.layout import lay_out
     from springback.campaign.design.plan import read_plan
-    from springback.campaign.limits_check import unmet_limits
+    from springback.campaign.flying import try_code
+    from springback.campaign.limits_check import unmet_limits, unreached_success
     from springback.campaign.plan_check import check_conditions
     from springback.interfaces.output.dimension_text import dimension_units, law_text
     from springback.scenario.scenario import scenario_from
@@ -177,6 +179,7 @@ def _check_plan(path: Path, overrides: Sequence[str], terminal: Terminal) -> Non
         plan, source = read_plan(path, overrides)
         design = lay_out(plan, source)
         check_conditions(design, source)
+        try_code(design)
     units = dimension_units(design)
     fields = [
         {
@@ -199,7 +202,7 @@ def _check_plan(path: Path, overrides: Sequence[str], terminal: Terminal) -> Non
         data.setdefault("robots", {})[robot] = told
         text += ["", f"{robot}, without what varies:", *lines]
         warnings += [f"{robot}: {warning}" for warning in told["warnings"]]
-    warnings += unmet_limits(design)
+    warnings += unmet_limits(design) + unreached_success(design)
     terminal.print(data, "\n".join(text))
     _conclude(f"{path} can be flown", warnings, terminal)
 

@@ -233,18 +233,37 @@ def show_world(
     springback world show warehouse.sdf
     springback world show iris.world --search ../models
     """
-    found = _read(file, search, surface, surfaces, bounds)
-    data = {
-        "elements": [
-            {"name": part.name, **part.obstacle.model_dump(mode="json", exclude_none=True)}
-            for part in found.parts
-        ],
-        "not_represented": found.unrepresented,
-        "remarks": found.remarks,
-        "ignored": found.ignored,
-    }
-    terminal.print(data, "\n".join(_lines(found)))
-    terminal.note(_summary(found))
+    from springback.scenario.worlds.imported import listing_only
+    from springback.scenario.worlds.mesh_check import size_words
+
+    with listing_only(), terminal.spinner("reading the world"):
+        found = _read(file, search, surface, surfaces, bounds)
+        parts = found.parts
+        data = {
+            "elements": [_element(part) for part in parts],
+            "not_represented": found.unrepresented,
+            "remarks": found.remarks,
+            "ignored": found.ignored,
+        }
+        lines, said = _lines(found), _summary(found)
+        large = {part.name: size_words(part.obstacle) for part in parts}
+    terminal.print(data, "\n".join(lines))
+    for name, words in large.items():
+        if words:
+            say(f"warning: {name} is a mesh{words}")
+    terminal.note(said)
+
+
+def _element(part: NamedObstacle) -> dict[str, Any]:
+    """An element as plain data: its own name, its obstacle, and how large its mesh is [m]."""
+    table = part.obstacle.model_dump(mode="json", exclude_none=True)
+    extent = _extent(part.obstacle)
+    return {**table, "name": part.name, **({"extent": extent} if extent else {})}
+
+
+def _extent(obstacle: Any) -> list[float]:
+    """Lengths of a mesh along its own axes [m]; empty for other obstacles."""
+    return list(obstacle.extent()) if obstacle.type == "mesh" else []
 
 
 @world.command()
@@ -279,6 +298,8 @@ def convert(
     write_atomically(out, world_toml(found, out.absolute().parent))
     for line in found.unrepresented:
         say(f"warning: not represented: {line}")
+    for line in found.remarks:
+        say(f"represented differently: {line}")
     terminal.note(f"{_summary(found)}; written to {out}")
 
 
@@ -346,6 +367,8 @@ def _numbers(part: NamedObstacle) -> str:
         if key in ("roll", "pitch", "yaw"):
             shown = f"{math.degrees(value):.5g} deg"
         words.append(f"{key} {shown}")
+    if extent := _extent(part.obstacle):
+        words.append(f"{' x '.join(f'{length:.4g}' for length in extent)} m")
     friction = getattr(getattr(part.obstacle, "surface", None), "friction", None)
     return ", ".join(words + ([] if friction is None else [f"friction {friction:g}"]))
 

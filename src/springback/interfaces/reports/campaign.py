@@ -60,6 +60,7 @@ def summary_text(
         *(f"drawn: {text}" for text in drawn_ranges(found.campaign)),
         "",
         as_text(*outcome_table(found.robots, misses=misses)),
+        *(f"warning: {line}" for line in found.warnings),
         *([found.refusal] * bool(found.refusal)),
         *remarks,
         "",

@@ -232,6 +232,7 @@ def _sections(
             "conditions": "; ".join(found.campaign.conditions),
             "drawn": _plain("; ".join(drawn_ranges(found.campaign))),
             "refusal": f": {found.refusal}" if found.refusal else "",
+            "warned": [_with_command([f"warning: {line}"])[0] for line in found.warnings],
             "missed": _with_command(missed_lines(found)),
             "untouched": _plain(untouched_line(found.campaign)),
             "pressing": _plain(pressing_line(found.campaign)),

@@ -34,7 +34,11 @@ def gaps(flight: FlightResult, obstacle: int | None = None, own: tuple[Own, ...]
     entries = [x for x in flight.scenario.world.obstacles if not isinstance(x, UserShape)]
     known, shapes = len(entries), own or flight.own
     if not (count := known + len(shapes)):
-        raise InputError("the world of this flight has no obstacles")
+        beside = "; gap() knows no distance between two vehicles"
+        raise InputError(
+            "the world of this flight has no obstacles"
+            f"{'' if flight.scenario.second is None else beside}"
+        )
     if obstacle is not None and not 0 <= obstacle < count:
         raise InputError(f"obstacle: must be from 0 to {count - 1} (got {obstacle})")
     if isinstance(model.world.obstacles, SolidScene | MovingScene):

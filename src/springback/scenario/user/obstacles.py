@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import itertools
 import math
+import sys
 from collections.abc import Iterator, Sequence
 from typing import Any, NamedTuple
 
@@ -19,8 +20,9 @@ from springback.contact.worlds import Own
 from springback.errors import InputError, shown_value
 from springback.kernels.tracing import traceable  # for batch set-up
 from springback.kernels.vectors import Vec, norm
-from springback.scenario.code_files import error_place, error_words, read_object
+from springback.scenario.code_files import PACKAGE, error_place, error_words, read_object
 from springback.scenario.tables import UserShape, WorldSettings
+from springback.scenario.user.laws import home_of
 
 #: Step of finite differences [m] (chosen: rounding leaves 1e-11, a radius of 10 mm 1e-6).
 STEP = 1e-5
@@ -369,16 +371,33 @@ class _Sampled:
 
     def value(self, function: Any, point: Vec) -> Any:
         """Value returned by one of the functions."""
+        law = function.dispatch(type(self.shape))
+        if home_of(law)[0].startswith(PACKAGE) and not _is_of_package(self.shape):
+            name = function.__name__
+            raise InputError(
+                f"{self.name}: {_class_home(self.shape)}has no {name}: register one, by "
+                f"@{name}.register({type(self.shape).__name__})"
+            )
         try:
             return function(self.shape, point)
         except Exception as error:
+            place = error_place(error, *home_of(law))
             raise InputError(
-                f"{self.name}: {error_place(error)}: {type(error).__name__}: {error}, "
-                f"at {_text(point)} m"
+                f"{self.name}: {place}: {type(error).__name__}: {error}, at {_text(point)} m"
             ) from error
 
     def refuse(self, function: str, point: Vec, what: str, where: str = "") -> None:
         raise InputError(f"{self.name}: {function} at {_text(point)} m{where} {what}")
+
+
+def _is_of_package(shape: Any) -> bool:
+    return type(shape).__module__.startswith("springback.")
+
+
+def _class_home(shape: Any) -> str:
+    """File of a shape's class before what is wrong with it; empty if it is in none."""
+    file = getattr(sys.modules.get(type(shape).__module__), "__file__", None)
+    return f"{file}: " if file else ""
 
 
 _AXES = (Vec(1.0, 0.0, 0.0), Vec(0.0, 1.0, 0.0), Vec(0.0, 0.0, 1.0))

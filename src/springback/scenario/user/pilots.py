@@ -209,8 +209,8 @@ def check_compiled_pilot(pilot: CompiledPilot, measurement: Any, rotors: int) ->
     Raises:
         InputError: The error, with file and line if known.
     """
-    law = law_of(pilot_step, pilot, "a pilot")
-    said = law.call(pilot.settings, 0.0, measurement, pilot.memory)
+    law = law_of(pilot_step, pilot, measurement, "a pilot")
+    said = law.call()
     if not isinstance(said, PilotOutput):
         law.refuse(f"must return PilotOutput(thrusts, memory) (got {source_text(said)})")
     if problem := wrong(said, rotors):

@@ -141,8 +141,8 @@ def _first_step(
     step: Generic[..., Any], own: Part, seen: Any, kind: type[Step]
 ) -> tuple[Law, Step]:
     """Law of a part, and what it returns at the first tick for what it sees."""
-    law = law_of(step, own, _WHAT[type(own)])
-    said = law.call(own.settings, 0.0, seen, own.memory)
+    law = law_of(step, own, seen, _WHAT[type(own)])
+    said = law.call()
     if not isinstance(said, kind):
         form = f"{kind.__name__}({', '.join(kind._fields)})"
         law.refuse(f"must return {form} (got {source_text(said)})")

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
+import contextlib
 import fnmatch
 import functools
 import hashlib
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextvars import ContextVar
 from pathlib import Path
 from typing import Annotated, Any, Literal, NamedTuple, get_args
 
 import numpy as np
 from pydantic import Field, TypeAdapter, ValidationError, model_validator
 
+from springback.contact.grids.measured_shapes import MeshBody, OccupancyGrid
 from springback.contact.library import SURFACES
 from springback.contact.parameters import SurfaceSettings
 from springback.contact.shapes import Place
@@ -38,6 +41,47 @@ MOST_NAMED = 3
 LATEST = 16
 
 _OBSTACLE: TypeAdapter[BuiltIn] = TypeAdapter(ObstacleSettings)
+
+#: True while worlds are only listed.
+_LISTED: ContextVar[bool] = ContextVar("listed", default=False)
+
+
+@contextlib.contextmanager
+def listing_only() -> Iterator[None]:
+    """Context in which worlds are read to be listed: no distance grid is computed."""
+    token = _LISTED.set(True)
+    try:
+        yield
+    finally:
+        _LISTED.reset(token)
+
+
+class PlainMesh(MeshBody):
+    """A mesh that is only listed: its triangles are checked, its grid is not computed."""
+
+    def check_form(self) -> None:
+        """Reject triangles that bound no body."""
+        self.triangles()
+
+
+class PlainOccupancy(OccupancyGrid):
+    """An occupancy grid that is only listed: its cells are read, distances are not computed."""
+
+    def check_form(self) -> None:
+        """Reject cells that cannot be read."""
+        self.cells()
+
+
+_LISTED_KINDS: dict[str, type[MeshBody | OccupancyGrid]] = {
+    "mesh": PlainMesh,
+    "occupancy": PlainOccupancy,
+}
+
+
+def _made(table: dict[str, Any], listed: bool) -> BuiltIn:
+    """A built-in obstacle of a raw one; ``listed`` says that it is to be listed alone."""
+    kind = _LISTED_KINDS.get(table["type"]) if listed else None
+    return _OBSTACLE.validate_python(table) if kind is None else kind.model_validate(table)
 
 
 class ImportedElement(Settings):
@@ -172,14 +216,18 @@ def _with_friction(surface: SurfaceSettings, friction: float) -> SurfaceSettings
     return surface.with_checked(friction=friction)
 
 
-@functools.lru_cache(maxsize=LATEST)
 def _parts_of(imported: Imported) -> tuple[NamedObstacle, ...]:
     """Parts; an element that is no valid obstacle is a problem that names it."""
+    return _made_parts(imported, _LISTED.get())
+
+
+@functools.lru_cache(maxsize=LATEST)
+def _made_parts(imported: Imported, listed: bool) -> tuple[NamedObstacle, ...]:
     found: list[NamedObstacle] = []
     for one in imported.elements:
         table = placed_table(one.obstacle, imported.position, imported.yaw)
         try:
-            obstacle = _OBSTACLE.validate_python({**table, "surface": imported.surface_of(one)})
+            obstacle = _made({**table, "surface": imported.surface_of(one)}, listed)
         except ValidationError as error:
             path, what = problem_paths(error)[0]
             keys = dotted_path(tuple(key for key in path if key != table["type"]))
@@ -285,8 +333,8 @@ def part_words(number: int, entry: Imported, part: NamedObstacle) -> str:
     return f"world.obstacles[{number}], {entry.name}{'/' if entry.name else ''}{part.name}"
 
 
-#: Tables of contents, by identity.
-_TABLES: list[tuple[WorldContent, dict[str, Any]]] = []
+#: Tables of contents, by identity and whether they were only listed.
+_TABLES: list[tuple[WorldContent, bool, dict[str, Any]]] = []
 
 
 def content_table(content: WorldContent) -> dict[str, Any]:
@@ -295,8 +343,9 @@ def content_table(content: WorldContent) -> dict[str, Any]:
     Raises:
         InputError: If the file is itself a mesh or an occupancy grid that cannot be one.
     """
-    for known, table in _TABLES:
-        if known is content:
+    listed = _LISTED.get()
+    for known, of_list, table in _TABLES:
+        if known is content and of_list == listed:
             return table
     elements, missing = list[ImportedElement](), list(content.missing)
     for one in content.elements:
@@ -316,7 +365,7 @@ def content_table(content: WorldContent) -> dict[str, Any]:
         "remarks": tuple(f"{one.name}: {one.reason}" for one in content.remarks),
         "ignored": tuple(f"{count} {kind}" for kind, count in content.ignored if count),
     }
-    _TABLES.append((content, found))
+    _TABLES.append((content, listed, found))
     del _TABLES[:-LATEST]
     return found
 
@@ -326,7 +375,7 @@ def _with_form(table: dict[str, Any]) -> tuple[dict[str, Any], str]:
     if table["type"] not in FORMS:
         return table, ""
     try:
-        made = _OBSTACLE.validate_python({**table, "surface": SURFACES["wall"]})
+        made = _made({**table, "surface": SURFACES["wall"]}, _LISTED.get())
     except ValidationError as error:
         return table, problem_paths(error)[0][1]
     except InputError as error:  # of a package that is not installed

@@ -124,7 +124,7 @@ def size_words(obstacle: Any) -> str:
     """Size of a mesh that is so large that its file may be in millimetres; empty for others."""
     if not isinstance(obstacle, MeshBody):
         return ""
-    widest = max(_numbers(obstacle)[0])
+    widest = max(obstacle.extent())
     if widest < LARGE:
         return ""
     scale = 1e-3 * obstacle.scale

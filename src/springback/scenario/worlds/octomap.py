@@ -84,7 +84,8 @@ def occupied_cubes(data: bytes, name: str) -> tuple[float, Array]:
             f"{name}: is deeper than {LEVELS} levels, or has more than {MOST_NODES} nodes"
         ) from None
     if used != len(body):
-        raise InputError(f"{name}: has {len(body) - used} bytes after the tree")
+        more = len(body) - used
+        raise InputError(f"{name}: has {more} byte{'' if more == 1 else 's'} after the tree")
     return cell, np.array(leaves, dtype=np.int64).reshape(-1, 4)
 
 
