@@ -156,6 +156,8 @@ def moved(mesh: Triangles, value: float) -> Triangles:
         ("m.stl", stl_bytes(Triangles(BOX.vertices * [1, 1, 0], BOX.faces)), "a size along each axis"),
         ("m.stl", stl_bytes(BOX)[:-7], r"is damaged: a binary STL of 12 triangles has 684 bytes"),
         ("m.stl", b"nothing", "is not STL"),
+        ("m.glb", b"this is no GLB file", "is not GLB"),
+        ("m.ply", b"nothing", "is not PLY"),
         ("m.stl", ascii_stl(BOX)[:-30], "is damaged"),
         ("m.stl", stl_bytes(Triangles(BOX.vertices, BOX.faces[:0])), "has no triangles"),
         ("m.obj", b"v 0 0\n", "m.obj:1: is not OBJ"),
@@ -280,6 +282,8 @@ def npy(path: Path, values: Any) -> str:
     ("make", "given", "words"),
     [
         (lambda p: npy(p / "h.npy", np.zeros((5, 5))), {}, "needs either size or spacing"),
+        (lambda p: npy(p / "h.npy", np.zeros((5, 5))), {"size": (1, 1), "spacing": 0.1}, "size or spacing, not both"),
+        (lambda p: npy(p / "h.npy", np.zeros((5, 5, 5))), {"spacing": 0.1}, r"two axes, along x and y \(got 5 x 5 x 5"),
         (lambda p: npy(p / "h.npy", np.zeros((5, 3))), {"spacing": 0.1}, r"at least 4 x 4 heights \(got 5 x 3"),
         (lambda p: npy(p / "h.npy", np.full((5, 5), np.nan)), {"spacing": 0.1}, r"height \[0, 0\] is not finite"),
         (lambda p: npy(p / "h.npy", np.array(["a", {}], dtype=object)), {"spacing": 0.1}, "must hold numbers"),

@@ -63,7 +63,8 @@ class Net(AttitudeSettings, ShapeSettings):
     @model_validator(mode="after")
     def _is_held(self) -> Net:
         if (self.tension is None) == (self.thread_stiffness is None):
-            raise problem("needs either tension or thread_stiffness")
+            both = "" if self.tension is None else ", not both"
+            raise problem(f"needs either tension or thread_stiffness{both}")
         if self.contact_radius >= 0.5 * min(self.size):
             raise problem(
                 f"must be less than {0.5 * min(self.size):g} m, half of its shorter side (got "

@@ -60,8 +60,10 @@ def read_heights(file: str, data: bytes, levels: tuple[float, float] | None) -> 
         raise problem("is for images: a file .npy holds metres", "range")
     else:
         found = npy_array(file, data, MOST_POINTS).astype(np.float64)
-    if found.ndim != 2 or min(found.shape) < FEWEST:
-        shape = " x ".join(map(str, found.shape))
+    shape = " x ".join(map(str, found.shape))
+    if found.ndim != 2:
+        raise problem(f"{file}: must have two axes, along x and y (got {shape})", "file")
+    if min(found.shape) < FEWEST:
         raise problem(
             f"{file}: must have at least {FEWEST} x {FEWEST} heights (got {shape})", "file"
         )

@@ -76,7 +76,8 @@ class HeightMap(FormShape):
     def check_form(self) -> None:
         """Reject a form that cannot be."""
         if (self.size is None) == (self.spacing is None):
-            raise problem("needs either size or spacing")
+            both = "" if self.size is None else ", not both"
+            raise problem(f"needs either size or spacing{both}")
         self.bodies()
 
     def form(self) -> HeightForm:

@@ -21,6 +21,8 @@ Cells = np.ndarray[Any, np.dtype[np.intp]]
 MOST_TRIANGLES = 2_000_000
 #: Triangles that the head of a damaged binary STL may tell of: more are other bytes (chosen).
 MOST_TOLD = 100_000_000
+#: First bytes of files of a format, where they are always the same.
+_BEGINNINGS = {"ply": b"ply", "glb": b"glTF", "3mf": b"PK"}
 #: Bytes of a binary STL before its triangles, and of each.
 _HEAD = 84
 _FACET = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("unused", "<u2")])
@@ -136,6 +138,8 @@ def _obj(file: str, data: bytes) -> Triangles:
 def _by_trimesh(file: str, data: bytes) -> Triangles:
     library = needs("trimesh", "worlds")
     kind = suffix_of(file, tuple(_READERS)).removeprefix(".")
+    if not data.startswith(_BEGINNINGS.get(kind, b"")):
+        raise problem(f"{file}: is not {kind.upper()}", "file")
     try:
         found = library.load(io.BytesIO(data), file_type=kind, force="mesh", process=False)
         vertices = np.asarray(found.vertices, dtype=np.float64)
