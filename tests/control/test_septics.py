@@ -1,4 +1,4 @@
-"""Many polynomials of degree 7 at once: SciPy's, and demands as of one."""
+"""Polynomials of degree 7, many at once and in turn: SciPy's, and demands as of one."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from springback.control import approach
 from springback.control.approach import ALIKE, _simplest
 from springback.control.demands import Limits, level_demands
 from springback.control.runup import RunUpContact, run_up
-from springback.control.septics import LineMotions, septics, shares
+from springback.control.septics import LineMotions, SepticCurve, septics, shares
 from springback.errors import InputError
 from springback.kernels.vectors import Vec
 
@@ -35,6 +35,19 @@ def test_they_are_scipys_polynomials() -> None:
         for order, found in nonempty(enumerate(courses, start=1)):
             wanted = curve(t, order)
             assert found[:, k] == pytest.approx(wanted, abs=1e-9 * np.abs(wanted).max())
+
+
+def test_in_turn_they_are_scipys_and_pass_through_their_rows() -> None:
+    breaks = np.array([0.0, 0.7, 1.1, 3.0])
+    rows = np.random.default_rng(1).standard_normal((4, 4, 3))
+    curve, same = SepticCurve(breaks, rows), scipy.interpolate.BPoly.from_derivatives(breaks, rows)
+    t = np.linspace(breaks[0], breaks[-1], 96).reshape(4, 24)
+    for order in range(8):
+        wanted = same(t, order)
+        assert curve(t, order).shape == (4, 24, 3)
+        assert curve(t, order) == pytest.approx(wanted, abs=1e-12 * np.abs(wanted).max())
+    for order in range(4):
+        assert curve(breaks, order) == pytest.approx(rows[:, order], abs=1e-12)
 
 
 @pytest.mark.parametrize("limits", [LIMITS, LIMITS._replace(min_thrust=20.0)])

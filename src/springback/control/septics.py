@@ -1,4 +1,4 @@
-"""Many polynomials of degree 7 along a line, and the demands of level flight along them.
+"""Polynomials of degree 7: many along a line with their demands, and several in turn.
 
 A polynomial is linear in its values and derivatives at both ends, so those of all candidates of a
 search follow from one small matrix.
@@ -7,12 +7,13 @@ search follow from one small matrix.
 from __future__ import annotations
 
 import functools
-from typing import NamedTuple
+import math
+from typing import Any, NamedTuple
 
 import numpy as np
-import scipy  # submodules are loaded on first use
+from numpy.polynomial.polynomial import polyder, polyval
 
-from springback.control.demands import Array, Limits
+from springback.control.demands import Array, Limits, Times
 
 #: Position, velocity, acceleration and jerk along the path [m, m/s, m/s², m/s³].
 Row = tuple[float, float, float, float]
@@ -27,15 +28,54 @@ class LineMotions(NamedTuple):
 
 
 @functools.cache
+def _basis() -> Array:
+    """Coefficients in ascending powers per value and derivative at either end, shape (8, 8).
+
+    The time is normalised to one.  Divided by k!, the derivatives of order k at the end are
+    binomial coefficients, a matrix whose inverse is of integers: rounded, it is exact.
+    """
+    powers, orders = np.arange(8), np.arange(4)
+    at_end = np.array([[math.comb(n, k) for n in powers] for k in orders], dtype=float)
+    inverse = np.round(np.linalg.inv(np.concatenate([np.eye(8)[:4], at_end])))
+    factorials = np.array([math.factorial(k) for k in orders], dtype=float)
+    return np.asarray(inverse / np.tile(factorials, 2))
+
+
+@functools.cache
 def _responses(samples: int) -> Array:
     """Derivatives 1 to 3 per value and derivative at either end, shape (3, samples, 8).
 
     The time is normalised to one.
     """
-    ends = np.eye(8).reshape(2, 4, 8)
-    curve = scipy.interpolate.BPoly.from_derivatives([0.0, 1.0], [ends[0], ends[1]])
     at = np.linspace(0.0, 1.0, samples)
-    return np.stack([curve(at, order) for order in (1, 2, 3)])
+    return np.stack([polyval(at, polyder(_basis(), order)).T for order in (1, 2, 3)])
+
+
+class SepticCurve:
+    """Polynomials of degree 7 in turn, with three continuous derivatives.
+
+    A `springback.control.demands.DifferentiableCurve`.
+
+    Args:
+        breaks: Times at which one ends and the next begins [s], increasing.
+        rows: Position and derivatives 1 to 3 at each, shape (breaks, 4, 3).
+    """
+
+    def __init__(self, breaks: Times, rows: Array) -> None:
+        """Divide at ``breaks``."""
+        self._breaks = np.asarray(breaks, dtype=float)
+        durations = np.diff(self._breaks)
+        unit = durations[:, None, None] ** np.arange(8.0)[:, None]  # powers of each duration
+        ends = np.concatenate([rows[:-1] * unit[:, :4], rows[1:] * unit[:, :4]], axis=1)
+        self._coefficients = np.moveaxis(_basis() @ ends / unit, 1, 0)  # (8, durations, 3)
+
+    def __call__(self, x: Any, nu: int = 0) -> Array:
+        """Derivative of order ``nu`` at times ``x`` [s], shape (..., 3)."""
+        t = np.asarray(x, dtype=float)
+        k = np.searchsorted(self._breaks[1:-1], t, side="right")
+        since = (t - self._breaks[k])[..., None]
+        found = polyval(since, polyder(self._coefficients, nu)[:, k], tensor=False)
+        return np.asarray(found)
 
 
 def septics(first: Array, last: Array, durations: Array, samples: int) -> LineMotions:

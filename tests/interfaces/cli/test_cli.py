@@ -251,11 +251,32 @@ def test_what_flies_loads_nothing_that_few_flights_need() -> None:
     """Hulls of points, tables and pictures are rare; their libraries take as long as a flight."""
     code = (
         "import sys, springback; springback.fly; "
+        "wall = {'type': 'wall', 'distance': 2.75, 'surface': 'wall'}; "
+        "table = {'vehicle': 'arq', 'world': {'obstacles': [wall]}, "
+        "'reference': {'type': 'run-up', 'speed': 2.0}, 'recovery': {}}; "
+        "from springback.scenario.scenario import scenario_from; scenario_from(table); "
         "heavy = {'scipy.spatial', 'scipy.interpolate', 'matplotlib', 'duckdb'} & set(sys.modules); "
         "sys.exit(', '.join(heavy) or 0)"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
+
+
+@pytest.mark.parametrize("listens", [True, False])
+def test_a_flight_is_told_before_its_files_are_written(folder: Path, listens: bool) -> None:
+    """They take longer than it; a reader that has ended loses none of them."""
+    words, out = ["fly", "s.toml", "--out", "out"], folder / "out"
+    with subprocess.Popen(
+        [sys.executable, "-m", "springback", *words],
+        cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+    ) as process:  # fmt: skip
+        assert process.stdout is not None
+        if listens:
+            assert process.stdout.readline().startswith("Flight 'test flight'")
+            assert not out.exists()
+        process.stdout.close()
+        assert process.wait(300) == (0 if listens else 1)
+    assert {"summary.json", "flight.png"} <= {path.name for path in out.iterdir()}
 
 
 @needs("POSIX")

@@ -111,23 +111,33 @@ def fly(
         if value:
             raise InputError(f"--{_OPTIONS.get(name, name)}: needs --against")
     own = read_pilot(pilot) if pilot else None
-    label = "reading; grids of new meshes and maps are computed"
+    label = "reading; distances of new kinds of scene are compiled, grids of new meshes computed"
     with output.spinner(label) as tell, telling(tell):
         ready = read_scenario(scenario, overrides, pilot=own is not None)
     with output.folder(FLIGHT_FILES) as folder:
         for sentence in scenario_warnings(ready, own=own is not None or ready.pilot is not None):
             say(f"warning: {sentence}")
-        with output.spinner(FIRST):
-            with (
-                as_input(scenario, overrides),
-                warnings.catch_warnings(),
-            ):  # printed below, in the format of this program
-                warnings.simplefilter("ignore", FlightWarning)
-                flight = fly_scenario(ready, pilot=own)
+        with (
+            output.spinner(FIRST),
+            as_input(scenario, overrides),
+            warnings.catch_warnings(),  # printed below, in the format of this program
+        ):
+            warnings.simplefilter("ignore", FlightWarning)
+            flight = fly_scenario(ready, pilot=own)
+        flights = [one for one in (flight, flight.second) if one is not None]
+        unheard: OSError | None = None
+        if not output.as_json:  # at once: files take longer than a flight
+            try:
+                output.print(None, "\n".join(map(repr, flights)))
+            except OSError as error:  # a reader that has ended must not cost the files
+                unheard = error
+        with output.spinner("writing tables and figures"):
             written = write_flight(flight, folder, figures=output.wants_figures())
         summary = (folder / SUMMARY).read_text(encoding="utf-8")
-    flights = [one for one in (flight, flight.second) if one is not None]
-    output.print(json.loads(summary), "\n".join(map(repr, flights)))
+    if unheard is not None:
+        raise unheard
+    if output.as_json:
+        output.print(json.loads(summary))
     for line in filter(None, (untouched_flight(flight, own is not None), idle_suction(flight))):
         output.note(line)
     output.note_written(written)
