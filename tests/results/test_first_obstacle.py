@@ -114,6 +114,20 @@ def test_arms_on_hinges_and_hulls_tell_points_of_the_world() -> None:
         assert flight.touch_x == pytest.approx(0.5, abs=1e-5), vehicle
 
 
+@pytest.mark.parametrize("vehicle", ["morphy", "xplorer"])  # a pyramid's arms, and level ones
+def test_arms_that_are_turned_at_touch_tell_points_of_the_world(vehicle: str) -> None:
+    """Axes of an arm that begins pressed in are not those of the body: on the pole's mantle."""
+    start = {"position": [0.0, 0.0, 1.0], "velocity": [2.0, 0.0, 0.0], "yaw": 0.1,
+             "compression": 0.02, "touch_distance": 0.005}  # fmt: skip
+    flight = springback.fly({**thrown([POLE], 0.0), "vehicle": vehicle, "start": start})
+    assert flight.touch_time == pytest.approx(0.0025, abs=1e-4)
+    arm = flight.scenario.vehicle.airframe().arms[1]
+    assert (arm.length - flight.columns["l2"][0]) * arm.joint.curvature > 0.1  # [rad]
+    assert flight.touch_x is not None
+    assert flight.touch_y is not None
+    assert math.hypot(flight.touch_x - 0.6, flight.touch_y) == pytest.approx(0.05, abs=1e-6)
+
+
 def test_two_vehicles_touch_each_other_first() -> None:
     """The first knows the point; the push on the second has none."""
     given = two()
