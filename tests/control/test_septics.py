@@ -13,7 +13,7 @@ from springback.control import approach
 from springback.control.approach import ALIKE, _simplest
 from springback.control.demands import Limits, level_demands
 from springback.control.runup import RunUpContact, run_up
-from springback.control.septics import LineMotions, SepticCurve, septics, shares
+from springback.control.septics import LineMotions, SplineCurve, septics, shares
 from springback.errors import InputError
 from springback.kernels.vectors import Vec
 
@@ -40,7 +40,10 @@ def test_they_are_scipys_polynomials() -> None:
 def test_in_turn_they_are_scipys_and_pass_through_their_rows() -> None:
     breaks = np.array([0.0, 0.7, 1.1, 3.0])
     rows = np.random.default_rng(1).standard_normal((4, 4, 3))
-    curve, same = SepticCurve(breaks, rows), scipy.interpolate.BPoly.from_derivatives(breaks, rows)
+    curve, same = (
+        SplineCurve(breaks, rows),
+        scipy.interpolate.BPoly.from_derivatives(breaks, rows),
+    )
     t = np.linspace(breaks[0], breaks[-1], 96).reshape(4, 24)
     for order in range(8):
         wanted = same(t, order)

@@ -141,7 +141,7 @@ def test_a_flight_that_never_cruises_is_the_same(monkeypatch: pytest.MonkeyPatch
 
 def test_a_flight_out_of_room_looks_about_and_cruises_on(monkeypatch: pytest.MonkeyPatch) -> None:
     """A look costs no step; only where something is near, or slides, is the flight steered."""
-    told = {"clearance_check": 0, "rates_of": 0, "rates_within": 0}
+    told = {"clearance_check": 0, "record_with_loads": 0, "rates_within": 0}
     rooms = (executor, executor, stages)
 
     def counted(room: ModuleType, name: str) -> None:
@@ -161,7 +161,7 @@ def test_a_flight_out_of_room_looks_about_and_cruises_on(monkeypatch: pytest.Mon
     flown = fly_one(ready.flight_model(), ready.start_state(), executor="python")
     # It looks at first, and when twice its way is the gap of some 2 m; it is measured at its end.
     assert told["clearance_check"] == 2
-    assert (told["rates_of"], told["rates_within"]) == (1, 3)
+    assert (told["record_with_loads"], told["rates_within"]) == (1, 4)  # one step, of four stages
     assert flown.record.stepping.steps == 400
     assert flown.motion.state.position.x == pytest.approx(1.6, rel=1e-12)
 

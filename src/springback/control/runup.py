@@ -20,7 +20,7 @@ from springback.control.approach import FEW, approach
 from springback.control.demands import ROOM, Limits, demands
 from springback.control.polynomials import as_reference, padded_reference
 from springback.control.references import Polynomials
-from springback.control.septics import Row, SepticCurve, septics, shares
+from springback.control.septics import Row, SplineCurve, septics, shares
 from springback.errors import InputError
 from springback.kernels.vectors import Vec
 from springback.vehicle.hulls import hull_reach
@@ -135,7 +135,7 @@ def run_up(
     direction = np.array([way.x, way.y, 0.0]) / distance
     along = np.array(rows)[:, :, None] * direction
     along[:, 0] += np.array(start)
-    curve = SepticCurve(breaks, along)
+    curve = SplineCurve(breaks, along)
     asked = demands(curve, breaks[:touching], limits)
     yaw = math.atan2(way.y, way.x) + turned
     return RunUp(

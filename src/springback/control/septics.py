@@ -51,7 +51,7 @@ def _responses(samples: int) -> Array:
     return np.stack([polyval(at, polyder(_basis(), order)).T for order in (1, 2, 3)])
 
 
-class SepticCurve:
+class SplineCurve:
     """Polynomials of degree 7 in turn, with three continuous derivatives.
 
     A `springback.control.demands.DifferentiableCurve`.

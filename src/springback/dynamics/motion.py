@@ -163,6 +163,16 @@ def _both_tuples(first: tuple[Vec, ...], second: tuple[Vec, ...]) -> tuple[Vec, 
 
 
 @kernel
+def all_engaged(plant: Plant, looks: float = 1.0) -> Engaged:
+    """Contacts none of which is off; with ``looks`` 0, faces of a scene are not looked for."""
+    return Engaged(
+        tree_map(arm_flags, (plant.airframe.arms,), (plant.world.obstacles, looks)),
+        tree_map(hull_flags, (plant.airframe.hull,), (plant.world.obstacles, looks)),
+        tree_map(all_flags, (moving_bodies(plant.world.obstacles),), ()),
+    )
+
+
+@kernel
 def rates(plant: Plant, state: State, released: float, looks: float = 1.0) -> Rates:
     """Rate of change of all integrated quantities.
 
@@ -172,12 +182,7 @@ def rates(plant: Plant, state: State, released: float, looks: float = 1.0) -> Ra
         released: 1 lets the compliant arms slide, 0 locks all arms (rigid flight).
         looks: 0 where no part can touch: faces of a scene are then not looked for.
     """
-    engaged = Engaged(
-        tree_map(arm_flags, (plant.airframe.arms,), (plant.world.obstacles, looks)),
-        tree_map(hull_flags, (plant.airframe.hull,), (plant.world.obstacles, looks)),
-        tree_map(all_flags, (moving_bodies(plant.world.obstacles),), ()),
-    )
-    return rates_while(plant, state, released, engaged)
+    return rates_while(plant, state, released, all_engaged(plant, looks))
 
 
 @kernel

@@ -20,13 +20,14 @@ from springback.contact.laws.memory import (
     memory_after,
 )
 from springback.contact.obstacles import World
+from springback.dynamics.clearance import Search
 from springback.dynamics.crossing import NO_CROSSING, Crossing
 from springback.dynamics.limbs.arms import ArmView
 from springback.dynamics.limbs.locked import RigidRates, RigidState
 from springback.dynamics.motion import HullView, Motion, Rates, View, rates
 from springback.dynamics.obstacle_views import NO_VIEW, BodyView
 from springback.dynamics.rigid import rigid_step
-from springback.kernels.compiler import executor, guard, kernel, step_kernel
+from springback.kernels.compiler import executor, generic, guard, kernel, step_kernel
 from springback.kernels.layout import Buffer, TreeLayout, read, row_of, rows, write
 from springback.kernels.trees import (
     axpy_strictly,
@@ -41,6 +42,7 @@ from springback.simulation.lanes import (
     CRUISES,
     LOOKS,
     STEERS,
+    SingleFlight,
     classify,
     number_lanes,
     places,
@@ -55,11 +57,12 @@ from springback.simulation.measuring.record import (
     NOT_FINITE,
     NOTHING,
     Model,
+    Record,
     clearance_check,
     search_of,
 )
 from springback.simulation.request import motion_after_request
-from springback.simulation.stages import REACH, WEIGHT, add_stage
+from springback.simulation.stages import REACH, WEIGHT, add_stage, find_rates
 from springback.simulation.thrusts import body_at, model_at, ramped_step
 from springback.vehicle.state import (
     Airframe,
@@ -84,28 +87,76 @@ def rates_of(model: Model, state: State, phase: float, looks: float) -> Rates:
     return rates(model, state, released, looks)
 
 
-@step_kernel
-def begin_step(shape: TreeLayout, b: Buffer, w: int) -> None:
-    """Begin a step of each lane: its first stage, the record, and the length of the step."""
-    at = places(shape, w)
+class FlightInLane(NamedTuple):
+    """What the buffer of a group holds of one flight, but for the results of stages."""
+
+    model: Model
+    motion: Motion
+    record: Record
+
+
+@kernel
+def _record_rates(
+    shape: TreeLayout, b: Buffer, w: int, i: int, flown: FlightInLane, known: Rates, search: Search
+) -> None:
+    """Record what one lane knows as its step begins, and add its rates as those of a stage."""
+    at, (model, motion, record) = places(shape, w), flown
     heat = row_of(shape.motion, "work") + row_of(shape.motion.work, "contact")
+    write(record_with_loads(model, motion, known, record, search), b, at.record, w, i)
+    memory = memory_after(motion.state.memory, known.seen.arms, known.seen.hull)
+    write(memory, b, at.motion + row_of(shape.motion.state, "memory"), w, i)
+    b[(at.motion + heat) * w + i] += energy_lost_deeper(memory)
+    write(known.motion, b, at.total, w, i)
+
+
+@kernel
+def _read_flight(shape: TreeLayout, b: Buffer, w: int, i: int) -> FlightInLane:
+    at = places(shape, w)
+    motion = read(shape.motion, b, at.motion, w, i)
+    return FlightInLane(
+        read(shape.model, b, 0, w, i), motion, read(shape.record, b, at.record, w, i)
+    )
+
+
+@step_kernel
+def _begin_lanes(shape: TreeLayout, b: Buffer, w: int) -> None:
+    at = places(shape, w)
     for i in range(w):
-        model = read(shape.model, b, 0, w, i)
-        motion = read(shape.motion, b, at.motion, w, i)
-        record = read(shape.record, b, at.record, w, i)
-        now = model_at(model, record.stepping.time)
-        search = search_of(model, motion.state, record)
+        flown = _read_flight(shape, b, w, i)
+        state, now = flown.motion.state, flown.record.stepping
+        search = search_of(flown.model, state, flown.record)
         looks = 1.0 if w == 1 else search.looks  # a single flight logs true gaps
-        known = rates_of(now, motion.state, record.stepping.phase, looks)
-        seen = known.seen
-        write(record_with_loads(model, motion, known, record, search), b, at.record, w, i)
-        memory = memory_after(motion.state.memory, seen.arms, seen.hull)
-        write(memory, b, at.motion + row_of(shape.motion.state, "memory"), w, i)
-        b[(at.motion + heat) * w + i] += energy_lost_deeper(memory)
+        known = rates_of(model_at(flown.model, now.time), state, now.phase, looks)
+        _record_rates(shape, b, w, i, flown, known, search)
         write(known.motion.state, b, at.rate, w, i)
-        write(known.motion, b, at.total, w, i)
         if w == 1:  # only a single flight is logged
-            write(seen, b, at.seen, w, i)
+            write(known.seen, b, at.seen, w, i)
+
+
+@step_kernel
+def _begin_one(shape: TreeLayout, b: Buffer) -> None:
+    find_rates(shape, b, REACH[0], True)
+    at, flown = places(shape, 1), _read_flight(shape, b, 1, 0)
+    motion, seen = read(shape.motion, b, at.rate, 1, 0), read(shape.seen, b, at.seen, 1, 0)
+    search = search_of(flown.model, flown.motion.state, flown.record)
+    _record_rates(shape, b, 1, 0, flown, Rates(motion, seen), search)
+
+
+@generic
+def begin_step(lanes: tuple[int, ...], shape: TreeLayout, b: Buffer) -> None:
+    """Begin a step of each lane: its first stage, the record, and the length of the step.
+
+    Args:
+        lanes: A tuple as long as a group is wide, or a `SingleFlight`.
+        shape: Layout of the buffer.
+        b: Buffer of the group.
+    """
+    _begin_lanes(shape, b, len(lanes))
+
+
+@begin_step.register(SingleFlight)
+def _begin_lone_step(lanes: SingleFlight, shape: TreeLayout, b: Buffer) -> None:
+    _begin_one(shape, b)
 
 
 @guard
@@ -355,7 +406,7 @@ def advance(
                     shared = several and now.cruising + now.waiting > 0
                     if shared:
                         stash(shape, b, w)
-                    begin_step(shape, b, w)
+                    begin_step(lanes, shape, b)
                     log_step(shape, b, w, log)
                     for stage in range(1, 3 + once):
                         add_stage(lanes, shape, b, REACH[stage], WEIGHT[stage])

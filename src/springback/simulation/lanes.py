@@ -59,7 +59,7 @@ class Places(NamedTuple):
 
     motion: int
     total: int  # weighted sum of the stages' rates
-    rate: int  # of the state, at the stage before
+    rate: int  # of the state, at the stage before; of a single flight that of its whole motion
     seen: int  # the view, of a single flight only
     mark: int  # next action of each lane
     home: int  # of several lanes, the first lane of each flight, counted through the groups
@@ -81,7 +81,7 @@ def places(shape: TreeLayout | Shape, w: int) -> Places:
     motion = rows(shape.model)
     total = motion + rows(shape.motion)
     rate = total + rows(shape.motion)
-    view = rate + rows(shape.motion.state)
+    view = rate + (rows(shape.motion) if w == 1 else rows(shape.motion.state))
     mark = view + (rows(shape.seen) if w == 1 else 0)
     home = mark + 1
     kept = home + (1 if w > 1 else 0)

@@ -2,16 +2,17 @@
 
 Lanes are flown by one of two kinds of code: with the hull of the main body where it acts, and
 without where it does not, which is quicker.  Compiling both takes a sixth longer; a single flight
-always computes the hull, so that its first result is there sooner.
+always computes the hull, so that its first result is there sooner.  For the same reason its physics
+is one function, `find_rates`, called at all four stages; in lanes each is compiled for its stage.
 """
 
 from __future__ import annotations
 
 from springback.dynamics.limbs.shell import or_turns
-from springback.dynamics.motion import Engaged, Motion, Rates, rates_while
+from springback.dynamics.motion import Engaged, Motion, Rates, all_engaged, rates_while
 from springback.kernels.compiler import generic, kernel, step_kernel
 from springback.kernels.layout import Buffer, TreeLayout, read, rows, write
-from springback.kernels.trees import axpy, fold, replace
+from springback.kernels.trees import axpy, fold, replace, select
 from springback.simulation.lanes import SingleFlight, places
 from springback.simulation.measuring.record import Model
 from springback.simulation.thrusts import model_at
@@ -104,8 +105,40 @@ def _add_stage_of_lanes(shape: TreeLayout, b: Buffer, w: int, reach: float, weig
 
 
 @step_kernel
+def find_rates(shape: TreeLayout, b: Buffer, reach: float, sees: bool) -> None:
+    """Find the rates of a single flight at a stage: in their places in its buffer.
+
+    Args:
+        shape: Layout of the buffer.
+        b: The buffer, one lane.
+        reach: Of the stage: `REACH`.  With 0 a step begins: all contacts are looked for.
+        sees: True to store the view, too.
+    """
+    at, begins = places(shape, 1), reach == 0.0
+    model = stage_model(shape, b, 1, 0, reach)
+    start = read(shape.motion.state, b, at.motion, 1, 0)
+    state = select(begins, start, stage_state(shape, b, 1, 0, reach))
+    engaged = read(shape.record.contacts.engaged, b, at.engaged, 1, 0)
+    engaged = select(begins, all_engaged(model), engaged)
+    known = rates_within(model, state, b[at.phase], engaged)
+    write(known.motion, b, at.rate, 1, 0)
+    if sees:
+        write(known.seen, b, at.seen, 1, 0)
+
+
+@kernel
+def add_found_rates(shape: TreeLayout, b: Buffer, weight: float) -> None:
+    """Add the rates that `find_rates` has found with the weight of their stage."""
+    at = places(shape, 1)
+    for k in range(rows(shape.motion)):
+        b[at.total + k] += weight * b[at.rate + k]
+
+
+@step_kernel
 def _add_stage_of_one(shape: TreeLayout, b: Buffer, reach: float, weight: float) -> None:
-    _add_with_hull(shape, b, 1, reach, weight)
+    # `find_rates` is compiled once for all callers of one kind: hence both are step kernels.
+    find_rates(shape, b, reach, False)
+    add_found_rates(shape, b, weight)
 
 
 @generic
@@ -128,5 +161,4 @@ def add_stage(
 def _add_lone_stage(
     lanes: SingleFlight, shape: TreeLayout, b: Buffer, reach: float, weight: float
 ) -> None:
-    """Add a stage of a single flight, for which the physics is compiled once, with the hull."""
     _add_stage_of_one(shape, b, reach, weight)

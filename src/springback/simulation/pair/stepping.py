@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 from springback.contact.moving.bodies import BodyAccelerations, MovingBody
 from springback.dynamics.clearance import HASTE, has_room
 from springback.dynamics.limbs.arms import ArmView
-from springback.dynamics.motion import Engaged, HullView, Rates, View
+from springback.dynamics.motion import HullView, View
 from springback.dynamics.touches import PartPush
 from springback.kernels.compiler import Origin, executor, kernel, user_executor, with_globals
 from springback.kernels.layout import Buffer, TreeLayout, read, row_of, write
@@ -32,7 +32,7 @@ from springback.simulation.executor import (
 )
 from springback.simulation.flight import SLICE, own_types, sources
 from springback.simulation.guided import FLY, LOOK, TickRange
-from springback.simulation.lanes import CRUISES, places
+from springback.simulation.lanes import CRUISES, SingleFlight, places
 from springback.simulation.measuring.record import (
     ARRIVED,
     FINISHED,
@@ -44,9 +44,8 @@ from springback.simulation.pair.parts import part_accelerations, parts_of
 from springback.simulation.stages import (
     REACH,
     WEIGHT,
-    add_rates,
-    rates_within,
-    stage_model,
+    add_found_rates,
+    find_rates,
     stage_state,
 )
 from springback.simulation.ticks import (
@@ -135,9 +134,9 @@ def begin_both(
     _with_parts(first, a, second, b, 0.0)
     _with_parts(second, b, first, a, 0.0)
     _with_accelerations(first, a, second, b)
-    begin_step(first, a, 1)
+    begin_step(SingleFlight(0), first, a)
     _with_pushes(second, b, read(first.seen, a, at.seen, 1, 0), 0.0)
-    begin_step(second, b, 1)
+    begin_step(SingleFlight(0), second, b)
     h = a[at.step] if a[at.step] < b[to.step] else b[to.step]
     _shorten(first, a, h)
     _shorten(second, b, h)
@@ -165,19 +164,11 @@ def stage_of_both(
     """Add a Runge–Kutta stage of both vehicles."""
     _with_parts(first, a, second, b, reach)
     _with_parts(second, b, first, a, reach)
-    known = _stage_rates(first, a, reach)
-    _with_pushes(second, b, known.seen, reach)
-    pushed = _stage_rates(second, b, reach)
-    add_rates(first, a, 1, 0, known.motion, weight)
-    add_rates(second, b, 1, 0, pushed.motion, weight)
-
-
-@kernel
-def _stage_rates(shape: TreeLayout, b: Buffer, reach: float) -> Rates:
-    at = places(shape, 1)
-    model, state = stage_model(shape, b, 1, 0, reach), stage_state(shape, b, 1, 0, reach)
-    engaged: Engaged = read(shape.record.contacts.engaged, b, at.engaged, 1, 0)
-    return rates_within(model, state, b[at.phase], engaged)
+    find_rates(first, a, reach, True)
+    _with_pushes(second, b, read(first.seen, a, places(first, 1).seen, 1, 0), reach)
+    find_rates(second, b, reach, False)
+    add_found_rates(first, a, weight)
+    add_found_rates(second, b, weight)
 
 
 @executor(nogil=True)
