@@ -22,7 +22,7 @@ from springback.kernels.trees import leaves, names
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation import flight
 from springback.simulation.executor import advance
-from springback.simulation.lanes import empty_groups
+from springback.simulation.lanes import empty_groups, lanes_of
 from springback.simulation.measuring.record import Model, Timing
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.state import State
@@ -138,7 +138,7 @@ class Lanes:
 
 
 class Single:
-    """Our executor with one long flight, no trajectory kept."""
+    """Our executor with one long flight alone, no trajectory kept."""
 
     def __init__(self, model: Model, state: State) -> None:
         """Lay the flight into a buffer."""
@@ -152,7 +152,7 @@ class Single:
         buffers[:] = self.loaded
         log = flight.empty_log()
         began = time.perf_counter()
-        while advance(TreeLayout(self.shape), buffers, (0,), log, flight.SLICE, 0.0):
+        while advance(TreeLayout(self.shape), buffers, lanes_of(1), log, flight.SLICE, 0.0):
             pass
         return (time.perf_counter() - began) / float(buffers[0, self.steps])
 
