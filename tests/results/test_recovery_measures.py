@@ -123,3 +123,13 @@ def test_a_later_peak_and_a_bottomed_arm_are_explained() -> None:
     for known in (settling, resting):
         told = repr(Flight(scenario, Outcome.SEPARATED, known, {}, {}))
         assert "after the first impact" not in told
+
+
+def test_a_peak_at_the_end_of_a_flight_is_said_to_be_unfinished() -> None:
+    """A flight that ends while it is pressed harder and harder; one that ends later does not."""
+    scenario = scenario_from({"vehicle": "arq", "simulation": {"duration": 0.3}})
+    measures = dict.fromkeys(MEASURES) | {"impact_peak_acceleration": 28.0}
+    for when, is_told in ((0.3, True), (0.29, False)):
+        told = measures | {"impact_peak_acceleration_time": when}
+        printed = repr(Flight(scenario, Outcome.IN_CONTACT, told, {}, {}))
+        assert ("28 m/s², as the flight ends" in printed) == is_told

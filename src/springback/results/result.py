@@ -304,6 +304,7 @@ class FlightResult(FlightMeasures):
             else f", along the normal{beside}",
             "travel": "; driven back at once" if self.measures["travel"] == 0.0 else "",
             "restitution_at_separation": f"; {note}" if note else "",
+            "impact_peak_acceleration": self._unfinished_peak(),
             "peak_acceleration": self._later_peak(),
             "impact_arm_stroke": self._bottomed(),
             "broken_time": "".join(f", {part}" for part in self.broken_parts),
@@ -335,6 +336,14 @@ class FlightResult(FlightMeasures):
     def broken_parts(self) -> tuple[str, ...]:
         """What was loaded beyond its limit, a sentence each; without a trajectory not known."""
         return ()
+
+    def _unfinished_peak(self) -> str:
+        """That the flight ends at the largest acceleration of its first impact, if it does."""
+        when = self.measures.get("impact_peak_acceleration_time")
+        end = self.scenario.simulation.duration
+        if self.outcome is not Outcome.IN_CONTACT or when is None or when < (1.0 - 1e-9) * end:
+            return ""
+        return ", as the flight ends: a longer simulation.duration shows whether it grows"
 
     def _later_peak(self) -> str:
         """When the largest acceleration was, if not in the first impact."""
