@@ -167,7 +167,7 @@ def test_a_hinge_that_breaks_is_told_by_its_torque() -> None:
     given = tables(HINGE)
     given["vehicle"]["limits"] = {"hinge_torque": "0.4 N m"}
     [first, *_] = fly(given).broken_parts
-    assert re.match(r"hinge of arm \d: more than 0\.4 N m", first), first
+    assert re.match(r"hinge of arm \d at 0\.\d+ s: more than 0\.4 N m", first), first
     given["vehicle"]["limits"] = {"arm_force": "3 N"}
     [first, *_] = fly(given).broken_parts
-    assert re.match(r"arm \d: more than 3 N", first), first
+    assert re.match(r"arm \d at 0\.\d+ s: more than 3 N", first), first

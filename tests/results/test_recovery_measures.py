@@ -6,6 +6,7 @@ import math
 import re
 from typing import Any
 
+import numpy as np
 import pytest
 
 from builders.records import record_of, record_with
@@ -17,6 +18,7 @@ from springback.results.recovery_measures import (
     recovery_columns,
     recovery_outcomes,
 )
+from springback.results.result import FlightResult
 from springback.scenario.avionics import build_avionics
 from springback.scenario.scenario import scenario_from
 from springback.simulation.measuring.columns import as_columns
@@ -133,3 +135,27 @@ def test_a_peak_at_the_end_of_a_flight_is_said_to_be_unfinished() -> None:
         told = measures | {"impact_peak_acceleration_time": when}
         printed = repr(Flight(scenario, Outcome.IN_CONTACT, told, {}, {}))
         assert ("28 m/s², as the flight ends" in printed) == is_told
+
+
+def test_a_first_peak_that_no_contact_makes_is_explained() -> None:
+    """As an arm comes back to its stop; neither while it is pressed nor in a fall."""
+    scenario = scenario_from({"vehicle": "arq"})
+    columns = {"t": np.array([0.1, 0.2]), "fn1": np.array([400.0, 5.0]), "z": np.ones(2)}
+    for peak, when, is_told in ((368.0, 0.2, True), (368.0, 0.1, False), (9.81, 0.2, False)):
+        measures = dict.fromkeys(MEASURES) | {
+            "impact_peak_acceleration": peak, "impact_peak_acceleration_time": when,
+        }  # fmt: skip
+        told = repr(FlightResult(scenario, Outcome.SEPARATED, measures, columns, {}))
+        assert ("m/s², at 0.2 s with 5 N of contact: arms that" in told) == is_told
+
+
+def test_a_flight_that_falls_where_there_is_no_ground_says_so() -> None:
+    """Below zero height, without a ground; not if it stays above, or a ground is there."""
+    ground = {"type": "ground", "surface": "wall"}
+    measures = dict.fromkeys(MEASURES) | read(*memories()) | {"height_loss": 5.5}
+    fallen, kept = (np.array([1.0, lowest]) for lowest in (-4.5, 0.2))
+    cases = [(fallen, [], True), (kept, [], False), (fallen, [ground], False)]
+    for heights, obstacles, is_told in cases:
+        scenario = scenario_from({"vehicle": "arq", "world": {"obstacles": obstacles}})
+        told = repr(Flight(scenario, Outcome.NO_CONTACT, measures, {"z": heights}, {}))
+        assert ("5.5 m, down to z = -4.5 m: the world has no ground" in told) == is_told

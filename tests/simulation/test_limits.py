@@ -204,5 +204,9 @@ def test_a_flight_says_what_broke_and_when() -> None:
         f"broken_time               {flight.measures['broken_time']:.5g} s, guard "
     )
     assert all(part in line for part in flight.broken_parts)
-    assert len(flight.broken_parts) >= 1
+    told = [one for one in flight.events if one.kind == "broken"]
+    assert len(flight.broken_parts) == len(told) >= 1
+    for part, event in zip(flight.broken_parts, told, strict=True):
+        assert f" at {event.t:.5g} s: more than " in part
+    assert flight.summary()["broken_parts"] == flight.broken_parts
     assert "margin" not in repr(springback.fly(into_a_wall(None)))

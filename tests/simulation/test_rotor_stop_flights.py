@@ -69,12 +69,27 @@ def test_a_struck_rotor_stops_and_its_angular_momentum_goes_to_the_body(rotor: i
         assert (flight.telemetry["command1"] == HOVER).all()
         (event,) = [event for event in flight.events if event.kind == "rotor"]
         assert event.t == stop
+        assert event.text.startswith(f"rotor {rotor} stops")
         assert abs(value(flight, "ledger_residual")) < 1e-6
     after = stop + 1e-3
     spins = [np.interp(after, f.t, f.columns["wz"]) for f in (light, heavy)]
     sign = math.copysign(1.0, QUAD.airframe().arms[rotor - 1].torque_ratio)
     gained = -sign * J * math.sqrt(HOVER / K) / QUAD.inertia()[2, 2]
     assert spins[1] - spins[0] == pytest.approx(gained, rel=1e-3)
+
+
+def test_events_name_each_rotor_that_stops() -> None:
+    """The first when the measure says, whether it breaks or not, and the others after it."""
+    for stop in ({"disc": "break"}, {"others_after": "10 ms"}):
+        flight = springback.fly(onto_a_post(2, **stop), pilot=hover)
+        told = [event for event in flight.events if event.kind == "rotor"]
+        assert len(told) == flight.measures["rotors_stopped"] == (1 if "disc" in stop else 4)
+        assert told[0].t == value(flight, "rotor_stop_time")
+        assert told[0].text.startswith("rotor 2 stops")
+        assert ("breaks" in told[0].text) == ("disc" in stop)
+        later = {event.label for event in told[1:]}
+        assert later == (set() if "disc" in stop else {"rotor 1", "rotor 3", "rotor 4"})
+        assert all(event.t == pytest.approx(told[0].t + 0.01) for event in told[1:])
 
 
 def test_accelerations_away_from_the_centre_know_of_it() -> None:

@@ -27,6 +27,7 @@ from springback.results.result import FlightResult
 from springback.simulation.measuring.limits import arm_force
 from springback.vehicle.arms.bent import BentArm, BentCoordinates
 from springback.vehicle.limits import UNLIMITED, LoadLimits
+from springback.vehicle.rotor_stop import BROKEN
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -56,10 +57,10 @@ class Event(NamedTuple):
     """An event of a flight.
 
     Kinds of the whole vehicle, one after the other in every impact: ``touch``, ``peak`` and
-    ``separation``; ``bottomed``, ``ground``, ``propeller`` and ``rotor`` once; ``alarm`` and
-    ``phase`` of a recovery; ``settled``, when the arms are locked again; ``end``.  Kinds of one
-    part, a guard or the hull: ``contact`` and ``release``, ``stop`` and ``stop_release`` of an arm,
-    and ``broken``, once, of what is loaded beyond its limit.
+    ``separation``; ``bottomed``, ``ground`` and ``propeller`` once; ``rotor`` once for each that
+    stops; ``alarm`` and ``phase`` of a recovery; ``settled``, when the arms are locked again;
+    ``end``.  Kinds of one part, a guard or the hull: ``contact`` and ``release``, ``stop`` and
+    ``stop_release`` of an arm, and ``broken``, once, of what is loaded beyond its limit.
     """
 
     t: float
@@ -211,14 +212,29 @@ def _arm_moves(c: Mapping[str, Array], j: int) -> Iterator[tuple[Any, Any]]:
 def _failures(flight: FlightResult, met: _Met) -> list[Event]:
     named = {"bottomed_time": ("bottomed", "an arm reaches the end of its stroke"),
              "ground_time": ("ground", "{parts} the ground"),
-             "propeller_hit_time": ("propeller", "a propeller is hit"),
-             "rotor_stop_time": ("rotor", "a rotor stops")}  # fmt: skip
+             "propeller_hit_time": ("propeller", "a propeller is hit")}  # fmt: skip
     found = []
     for name, (label, text) in named.items():
         when = flight.measures.get(name)
         if when is not None:
             found.append(Event(when, label, label, text.format(parts=_grounded(when, met))))
-    return found
+    return [*found, *_rotor_stops(flight)]
+
+
+def _rotor_stops(flight: FlightResult) -> list[Event]:
+    """When each rotor first stops, hit."""
+    first = flight.measures.get("rotor_stop_time")
+    if first is None:
+        return []
+    found = []
+    for j in range(1, flight.scenario.vehicle.rotor_count + 1):
+        since = flight.telemetry.get(f"stopped{j}", np.zeros(0))
+        for k in np.flatnonzero((since >= 0.0) | (since == BROKEN))[:1].tolist():
+            breaks = since[k] == BROKEN  # in the tick before, after which the row is
+            when = float(flight.telemetry["t"][max(k - 1, 0)] if breaks else since[k])
+            what = "its propeller is hit and breaks" if breaks else "it is hit"
+            found.append(Event(when, "rotor", f"rotor {j}", f"rotor {j} stops: {what}"))
+    return found or [Event(first, "rotor", "rotor", "a rotor stops")]  # in the last tick
 
 
 def _grounded(when: float, met: _Met) -> str:

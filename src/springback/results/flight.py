@@ -78,10 +78,13 @@ class Flight(FlightResult):
 
     @property
     def broken_parts(self) -> tuple[str, ...]:
-        """What was loaded beyond its limit, in order; empty without a trajectory."""
+        """What was loaded beyond its limit, and when, in order; empty without a trajectory."""
         if not self.columns or self.measures.get("broken_time") is None:
             return ()
-        return tuple(one.text for one in self.events if one.kind == "broken")
+        parts = [
+            (one.label.removesuffix(" broken"), one) for one in self.events if one.kind == "broken"
+        ]
+        return tuple(f"{name} at {one.t:.5g} s{one.text[len(name) :]}" for name, one in parts)
 
     def resample(self, step: float | None = None, *, times: Any = None) -> dict[str, Array]:
         """Columns of trajectory and telemetry at evenly spaced or any other instants.

@@ -55,6 +55,8 @@ _PRINCIPAL = (
 _OF_ARMS = ("impact_arm_stroke", "impact_arm_extension", "arm_stroke", "arm_extension")
 #: Accelerations below this are rounding [m/s²].
 ROUNDING = 1e-6
+#: A hard peak [m/s²] that contact makes has at least this share of its force (chosen).
+HARD, BY_CONTACT = 50.0, 0.1
 #: Measures to be told of where they are not 0.
 _DAMAGE = (
     "propellers_hit", "rotors_stopped", "guard_margin", "arm_margin", "component_margin",
@@ -304,9 +306,10 @@ class FlightResult(FlightMeasures):
             else f", along the normal{beside}",
             "travel": "; driven back at once" if self.measures["travel"] == 0.0 else "",
             "restitution_at_separation": f"; {note}" if note else "",
-            "impact_peak_acceleration": self._unfinished_peak(),
+            "impact_peak_acceleration": self._about_first_peak(),
             "peak_acceleration": self._later_peak(),
             "impact_arm_stroke": self._bottomed(),
+            "height_loss": self._without_ground(),
             "broken_time": "".join(f", {part}" for part in self.broken_parts),
         }
         for line in shown:
@@ -334,16 +337,26 @@ class FlightResult(FlightMeasures):
 
     @property
     def broken_parts(self) -> tuple[str, ...]:
-        """What was loaded beyond its limit, a sentence each; without a trajectory not known."""
+        """What was loaded beyond its limit, and when; without a trajectory not known."""
         return ()
 
-    def _unfinished_peak(self) -> str:
-        """That the flight ends at the largest acceleration of its first impact, if it does."""
-        when = self.measures.get("impact_peak_acceleration_time")
-        end = self.scenario.simulation.duration
-        if self.outcome is not Outcome.IN_CONTACT or when is None or when < (1.0 - 1e-9) * end:
+    def _about_first_peak(self) -> str:
+        """What the largest acceleration of the first impact may hide; mostly empty."""
+        when, peak = (self.measures.get(f"impact_peak_acceleration{end}") for end in ("_time", ""))
+        if when is None or peak is None:
             return ""
-        return ", as the flight ends: a longer simulation.duration shows whether it grows"
+        end = self.scenario.simulation.duration
+        if self.outcome is Outcome.IN_CONTACT and when >= (1.0 - 1e-9) * end:
+            return ", as the flight ends: a longer simulation.duration shows whether it grows"
+        forces = [values for name, values in self.columns.items() if name.startswith("fn")]
+        row = np.searchsorted(self.columns.get("t", np.zeros(0)), when)
+        pressed = sum(values[row] for values in forces if row < len(values))
+        if not forces or peak < HARD or pressed > BY_CONTACT * peak * self.scenario.vehicle.mass:
+            return ""
+        return (
+            f", at {when:.4g} s with {pressed:.2g} N of contact: arms that come back to a stop, or "
+            "a latch that closes, make it"
+        )
 
     def _later_peak(self) -> str:
         """When the largest acceleration was, if not in the first impact."""
@@ -360,6 +373,14 @@ class FlightResult(FlightMeasures):
         """When an arm reached the end of its stroke, if it did."""
         when = self.measures.get("bottomed_time")
         return "" if when is None else f"; an arm reached the end of its stroke at {when:.4g} s"
+
+    def _without_ground(self) -> str:
+        """How far it comes down below zero height where its world has no ground, if it does."""
+        obstacles, z = self.scenario.world.obstacles, self.columns.get("z", np.zeros(0))
+        may_land = bool(self.own) or any(one.type in ("ground", "import") for one in obstacles)
+        if may_land or not len(z) or z[0] <= 0.0 or z.min() >= 0.0:
+            return ""
+        return f", down to z = {z.min():.3g} m: the world has no ground, which it might have hit"
 
     def need_trajectory(self) -> None:
         """Raise an InputError if the trajectory was not recorded."""
@@ -432,9 +453,10 @@ class FlightResult(FlightMeasures):
         }
 
     def _contacts(self) -> dict[str, Any]:
-        """Touched obstacles, if there is a trajectory that tells."""
+        """Touched obstacles and what broke, if there is a trajectory that tells."""
         contacts = [one._asdict() for one in self.obstacle_contacts]
-        return {"obstacle_contacts": contacts} if self.columns else {}
+        broken = {"broken_parts": self.broken_parts} if self.broken_parts else {}
+        return {"obstacle_contacts": contacts, **broken} if self.columns else {}
 
     def _own_obstacles(self) -> dict[str, Any]:
         """Surfaces of the user's own obstacles near the flight, if any."""

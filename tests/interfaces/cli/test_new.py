@@ -1,5 +1,6 @@
 """`springback new`: what it writes works at once, and nothing is overwritten."""
 
+import math
 import re
 import shlex
 import tomllib
@@ -24,6 +25,7 @@ from springback.scenario.fields import fields_of
 from springback.scenario.user.compiled import check_user_code
 from springback.scenario.user.obstacles import check_own_obstacles
 from springback.scenario.user.pilots import read_pilot
+from springback.scenario.warnings import scenario_warnings
 from springback.studies.sensing_check import sensing_kind
 from springback.vehicle.parameters import Vehicle
 
@@ -76,12 +78,15 @@ def test_a_vehicle_file_with_its_lines_for_a_pilot_is_a_run_up_with_recovery() -
     new("vehicle", "hexa")
     lines = Path("hexa.toml").read_text()
     lines = re.sub(r"^thrust.*\n", "", lines, flags=re.M)
-    head, tail = lines.split("[start]\n")
+    head, tail = lines.split("[start]\n", 1)
     piloted = "\n".join(re.findall(r"^#~ (.*)", tail, re.M))
     Path("piloted.toml").write_text(f"{head}\n{piloted}\n")
     scenario = springback.read_scenario("piloted.toml")
     assert scenario.reference.type == "run-up"
     assert scenario.recovery is not None
+    assert scenario_warnings(scenario) == []
+    assert scenario.reference.yaw == scenario.start.yaw == pytest.approx(math.pi / 4)
+    assert [one.type for one in scenario.world.obstacles][-1] == "ground"
 
 
 @pytest.mark.parametrize("compiled", [False, True])

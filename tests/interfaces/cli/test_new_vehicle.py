@@ -21,6 +21,7 @@ from springback.interfaces.cli.app import cli
 from springback.interfaces.cli.design.answers import QUESTIONS
 from springback.interfaces.cli.design.sizes import DAMPING_RATIO, ratio_of_peak
 from springback.scenario.warnings import scenario_warnings
+from springback.studies.scenario_check import check_warnings
 
 HEXA = ("--mass", "600g", "--arms", "6", "--propeller", "5in")
 
@@ -123,11 +124,15 @@ def test_every_number_says_where_it_is_from() -> None:
 def test_lines_for_a_pilot_are_a_run_up_with_recovery() -> None:
     new("mine", *HEXA)
     lines = re.sub(r"^thrust.*\n", "", Path("mine.toml").read_text(), flags=re.M)
-    head, tail = lines.split("[start]\n")
+    head, tail = lines.split("[start]\n", 1)
     Path("piloted.toml").write_text(head + "\n".join(re.findall(r"^#~ (.*)", tail, re.M)))
     scenario = springback.read_scenario("piloted.toml")
     assert scenario.reference is not None
     assert scenario.recovery is not None
+    ahead = scenario.vehicle.arms.directions[0] + scenario.reference.yaw
+    assert ahead == pytest.approx(0.0, abs=1e-12)
+    assert [one.type for one in scenario.world.obstacles] == ["wall", "ground"]
+    assert scenario_warnings(scenario) == check_warnings(scenario) == []
 
 
 def test_without_answers_and_terminal_it_is_the_example_with_every_key() -> None:

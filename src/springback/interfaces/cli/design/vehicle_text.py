@@ -230,7 +230,13 @@ def _scene(known: dict[str, VehicleAnswer], s: VehicleSizes) -> list[str]:
         '#~ type = "run-up"',
         f'#~ speed = "{speed:g} m/s"',
         f'#~ wall_distance = "{WALL:g} m"',
+        f'#~ yaw = "{-s.directions[0]:g} deg"',
+        "#~ [start]",
+        f'#~ yaw = "{-s.directions[0]:g} deg"',
         "#~ [recovery]",
+        "#~ [[world.obstacles]]",
+        '#~ type = "ground"',
+        '#~ surface = "wall"',
         "#~ [simulation]",
         '#~ duration = "9 s"',
     ]  # fmt: skip
