@@ -21,6 +21,7 @@ from springback.scenario.avionics import NominalVehicle, limits_of, nominal_vehi
 from springback.scenario.model import contact_point_of
 from springback.scenario.scenario import Scenario
 from springback.scenario.tables import ScenarioTables
+from springback.scenario.vehicles.hover_balance import balance_warnings
 from springback.scenario.vehicles.hover_rest import hover_warnings
 from springback.scenario.vehicles.overlap import overlap_warnings
 from springback.scenario.vehicles.range_check import size_warnings
@@ -72,13 +73,15 @@ def scenario_warnings(
 
 
 def _of_vehicle(scenario: ScenarioTables, own: bool) -> list[str]:
-    """Guards in each other, sizes and springs that are seldom meant, joints that hover bends."""
+    """Guards in each other, sizes and springs that are seldom meant, what hover bends and turns."""
     vehicle = scenario.vehicle
     sizes = size_warnings(vehicle, scenario.simulation.impact_step)
     piloted = own or scenario.pilot is not None or scenario.reference is not None
     hovers = piloted or scenario.thrust != 0.0
     rests = hover_warnings(vehicle, scenario.world.gravity) if hovers else []
-    return overlap_warnings(vehicle) + sizes + rests
+    alone = scenario.thrust == "hover" and not piloted and scenario.model.slider is None
+    turns = balance_warnings(vehicle, scenario.world.gravity) if alone else []
+    return overlap_warnings(vehicle) + sizes + rests + turns
 
 
 def _curved(scenario: ScenarioTables) -> list[str]:
