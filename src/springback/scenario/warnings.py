@@ -25,6 +25,7 @@ from springback.scenario.vehicles.hover_balance import balance_warnings
 from springback.scenario.vehicles.hover_rest import hover_warnings
 from springback.scenario.vehicles.overlap import overlap_warnings
 from springback.scenario.vehicles.range_check import size_warnings
+from springback.scenario.vehicles.slides import slide_warnings
 from springback.scenario.worlds.imported import Imported, named_obstacles, single_obstacles
 from springback.scenario.worlds.mesh_check import mesh_warnings
 from springback.vehicle.parameters import Vehicle
@@ -73,7 +74,7 @@ def scenario_warnings(
 
 
 def _of_vehicle(scenario: ScenarioTables, own: bool) -> list[str]:
-    """Guards in each other, sizes and springs that are seldom meant, what hover bends and turns."""
+    """Guards in each other, sizes, springs and slides seldom meant, what hover bends and turns."""
     vehicle = scenario.vehicle
     sizes = size_warnings(vehicle, scenario.simulation.impact_step)
     piloted = own or scenario.pilot is not None or scenario.reference is not None
@@ -81,7 +82,7 @@ def _of_vehicle(scenario: ScenarioTables, own: bool) -> list[str]:
     rests = hover_warnings(vehicle, scenario.world.gravity) if hovers else []
     alone = scenario.thrust == "hover" and not piloted and scenario.model.slider is None
     turns = balance_warnings(vehicle, scenario.world.gravity) if alone else []
-    return overlap_warnings(vehicle) + sizes + rests + turns
+    return overlap_warnings(vehicle) + sizes + slide_warnings(vehicle) + rests + turns
 
 
 def _curved(scenario: ScenarioTables) -> list[str]:
