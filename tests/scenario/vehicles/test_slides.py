@@ -1,4 +1,4 @@
-"""Slides that lead outward, where nothing outside can press them in, are warned of."""
+"""Slides that lead outward are warned of; those through the vehicle's middle are refused."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from builders.cases import nonempty
+from springback.errors import InputError
 from springback.scenario.scenario import scenario_from
 from springback.scenario.vehicles.slides import slide_warnings
 from springback.scenario.warnings import scenario_warnings
@@ -76,3 +77,39 @@ def test_each_arm_and_each_joint_counts() -> None:
 def test_no_preset_is_told() -> None:
     for name, entry in nonempty(VEHICLES.items()):
         assert slide_warnings(entry.vehicle) == [], name
+
+
+@pytest.mark.parametrize(
+    ("joint", "words"),
+    [
+        ({"direction": [-1, 0, 0], "travel": [0, "140 mm"]}, "less than 0.125 m, where the end of "
+         "arm 1 comes to the vehicle's middle (got 0.14 m)"),
+        ({"direction": [-2, 0, 1], "travel": [0, "140 mm"]}, "less than 0.139754 m"),
+        ({"direction": [1, 0, 0], "travel": ["-130 mm", "20 mm"]}, "more than -0.125 m"),
+        ({"direction": [1, 0, 0], "travel": [["-9 mm", "9 mm"]] * 3 + [["-0.13 m", "9 mm"]]},
+         "the end of arm 4"),
+    ],
+)  # fmt: skip
+def test_a_travel_beyond_the_middle_is_refused(joint: dict[str, Any], words: str) -> None:
+    with pytest.raises(InputError, match=r"vehicle\.arms\.joint\.travel: must be") as caught:
+        scenario_from(tables(joint))
+    assert words in str(caught.value)
+
+
+def test_a_second_slide_beyond_the_middle_is_refused() -> None:
+    carried = {"type": "slide", "travel": [0, "126 mm"], "stiffness": 2e3}
+    with pytest.raises(InputError, match=r"\.joint\.second\.travel: must be less than"):
+        scenario_from(tables({"direction": [0, 0, 1], "second": carried}))
+
+
+@pytest.mark.parametrize(
+    ("joint", "arms"),
+    [
+        ({"direction": [-1, 0, 0], "travel": [0, "124 mm"]}, {}),
+        ({"direction": [-2, 0, 1], "travel": [0, "139 mm"]}, {}),
+        ({"direction": [-0.2, 0, 1], "travel": [0, "700 mm"]}, {}),  # over it
+        ({"direction": [-1, 0, 0], "travel": [0, "140 mm"]}, {"compliant": False}),
+    ],
+)
+def test_a_travel_up_to_the_middle_is_flown(joint: dict[str, Any], arms: dict[str, Any]) -> None:
+    assert scenario_from(tables(joint, **arms)).vehicle.arms.joint is not None

@@ -1,4 +1,4 @@
-"""Slides of arms that lead out of the vehicle, against their stops."""
+"""Slides of arms that lead out of the vehicle, against their stops, or through its middle."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 from springback.quantities import with_unit
+from springback.settings import problem
 from springback.vehicle.arms.joint_settings import SecondSlide, SlideSettings
 from springback.vehicle.arms.settings import Arms
 from springback.vehicle.parameters import Vehicle
@@ -23,6 +24,7 @@ class _Slide(NamedTuple):
     direction: tuple[float, float, float]  # as given, in the arm's axes
     inward: float  # share of its way, pressed in, that leads along the arm to the vehicle's middle
     travel: tuple[float, float]  # [m]
+    length: float  # of the arm [m]
 
 
 def _slides(arms: Arms) -> Iterator[_Slide]:
@@ -36,10 +38,33 @@ def _slides(arms: Arms) -> Iterator[_Slide]:
             second = arms.second_joint(j) if given is arms.joint.second else None
             longer = (arms.joint_of(j) if second is None else second.joint).direction
             end = arms.end(j)
-            inward = (longer.x * end.x + longer.y * end.y) / arms.at("length", j)
+            length = arms.at("length", j)
+            inward = (longer.x * end.x + longer.y * end.y) / length
             vector: Any = given.direction
             vector = vector[j] if isinstance(vector[0], tuple) else vector
-            yield _Slide(f"vehicle.arms.{name}", j + 1, vector, inward, given.travel_of(j))
+            travel = given.travel_of(j)
+            yield _Slide(f"vehicle.arms.{name}", j + 1, vector, inward, travel, length)
+
+
+def check_slides(arms: Arms) -> None:
+    """Reject slides along arms whose travel leads beyond the vehicle's middle.
+
+    Of two joints each is looked at while the other is free.
+
+    Args:
+        arms: Of any vehicle.
+
+    Raises:
+        The problem of the travel, with where it must end.
+    """
+    for one in _slides(arms):
+        for way, bound in zip(one.travel, ("more", "less"), strict=True):
+            if (one.inward > MAINLY or one.inward < -MAINLY) and way * one.inward >= one.length:
+                raise problem(
+                    f"must be {bound} than {one.length / one.inward:.6g} m, where the end of arm "
+                    f"{one.arm} comes to the vehicle's middle (got {way:g} m)",
+                    f"{one.path}.travel",
+                )
 
 
 def slide_warnings(vehicle: Vehicle) -> list[str]:
