@@ -20,6 +20,7 @@ from springback.scenario.warnings import scenario_warnings
 from springback.scenario.worlds.imported import named_obstacles
 from springback.scenario.worlds.mesh_check import axis_warnings
 from springback.studies.approach import ObstacleApproach, approach_ahead
+from springback.vehicle.arms.settings import LEVEL
 from springback.vehicle.endurance import hover_time
 from springback.vehicle.parameters import Arms, Vehicle
 from springback.vehicle.placed.balance import hover_balance
@@ -35,6 +36,8 @@ INERTIA_SHARES = (0.01, 0.5)
 FAR = 2.0
 #: Places in the travel of an arm at which its cage is looked at (chosen).
 PLACES = 41
+#: Vertical share of a hinge's axis from which cages on it stay level.
+UPRIGHT = 1.0 - 1e-9
 #: Share of a wall's force along an arm below which its spring hardly works (chosen).
 LEAST_ALONG = 0.5
 #: Obstacles that a warning names at most (chosen).
@@ -42,6 +45,8 @@ MOST_NAMED = 3
 #: Distance between an obstacle and the wall that a run-up is planned to, which is worth a warning
 #: (chosen: five standard deviations of the trials' walls) [m].
 WALL_OFFSET = 0.1
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
 class ScenarioQuantity(NamedTuple):
@@ -267,20 +272,43 @@ def _gap(arms: Arms, i: int, j: int, pressed: float) -> float:
     for k in (i, j):
         stroke = arms.at("stroke", k) if arms.at("compliant", k) else 0.0
         ends.append(np.array(arms.place(k, pressed * stroke)))
-    apart = float(np.linalg.norm(ends[0] - ends[1]))
-    return apart - float(arms.at("cage_radius", i) + arms.at("cage_radius", j))
+    room = float(arms.at("cage_radius", i) + arms.at("cage_radius", j))
+    return float(_level_gap(ends[0] - ends[1], room, LEVEL))
+
+
+def _level_gap(apart: Array, room: float, level: float) -> Array:
+    """Gap between two level circles [m]; less than 0 if they overlap at one height.
+
+    Args:
+        apart: From one middle to the other [m], shape (..., 3).
+        room: Sum of their radii [m].
+        level: Difference of heights below which they can meet side by side [m].
+    """
+    beside, above = np.hypot(apart[..., 0], apart[..., 1]) - room, np.abs(apart[..., 2])
+    found: Array = np.where(above < level, beside, np.hypot(np.maximum(beside, 0.0), above))
+    return found
 
 
 def _smallest_gap(arms: Arms) -> float:
-    """Smallest gap between two cages [m], each arm anywhere in the travel of its first joint."""
-    places = []
+    """Smallest gap between two cages [m], each arm anywhere in the travel of its first joint.
+
+    Cages that tilt as their arms fold are taken as balls.
+    """
+    places, steps, tilts = [], [], []
     for k in range(len(arms.directions)):
         ways = np.linspace(*arms.travel(k), PLACES) if arms.at("compliant", k) else np.zeros(1)
         places.append(np.array([arms.place(k, float(way)) for way in ways]))
+        steps.append(float(np.abs(np.diff(places[-1][:, 2])).max(initial=0.0)))
+        axis = (path := arms.joint_of(k)).direction ^ path.inward
+        tilts.append(arms.hinges[0] and abs(axis.z) < UPRIGHT and len(ways) > 1)
     found = math.inf
     for i, j in combinations(range(len(places)), 2):
-        apart = np.linalg.norm(places[i][:, None] - places[j][None], axis=2).min()
-        found = min(found, float(apart - arms.at("cage_radius", i) - arms.at("cage_radius", j)))
+        room = float(arms.at("cage_radius", i) + arms.at("cage_radius", j))
+        apart = places[i][:, None] - places[j][None]
+        gaps = _level_gap(apart, room, max(LEVEL, steps[i], steps[j]))
+        if tilts[i] or tilts[j]:
+            gaps = np.linalg.norm(apart, axis=2) - room
+        found = min(found, float(gaps.min()))
     return found
 
 
