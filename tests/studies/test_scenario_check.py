@@ -171,6 +171,14 @@ def test_frequency_and_damping_are_said_to_be_of_one_arm() -> None:
         assert about[name].startswith("of one arm on its spring, the body held")
 
 
+def test_numbers_of_one_arm_are_said_to_leave_out_springs_to_its_neighbours() -> None:
+    names = {"natural frequency", "damping ratio", "speed that uses up the stroke"}
+    for words in ((), ("vehicle.arms.neighbours.stiffness=1 N/mm",)):
+        about = {one.name: one.about for one in derived_numbers(scenario(*words))}
+        told = {name for name, text in about.items() if "neighbouring arms are left out" in text}
+        assert told == (names if words else set())
+
+
 @pytest.mark.parametrize("pitch", [0.0, -0.5])
 def test_a_run_up_meets_the_wall_at_the_yaw_that_it_holds(pitch: float) -> None:
     """Not at that of the start, from which it turns away."""

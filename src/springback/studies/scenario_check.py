@@ -45,6 +45,8 @@ MOST_NAMED = 3
 #: Distance between an obstacle and the wall that a run-up is planned to, which is worth a warning
 #: (chosen: five standard deviations of the trials' walls) [m].
 WALL_OFFSET = 0.1
+#: Parts of a vehicle whose ways to an obstacle differ by less meet it together [m] (chosen).
+TOGETHER = 1e-4
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
@@ -71,8 +73,8 @@ def derived_numbers(scenario: Scenario) -> list[ScenarioQuantity]:
             "approach speed", approach.speed, "m/s", f"of the main body {when}, along the normal "
             f"of {approach.words}: met first, {approach.way:.3g} m straight on",
         ))  # fmt: skip
-        if not vehicle.arms.is_planar or not approach.is_level:  # paths of joints are not told
-            return found
+        if not vehicle.arms.is_planar or not _meets_an_arm(scenario, approach):
+            return found  # paths of joints are not told
         found.append(ScenarioQuantity(
             "force along the foremost arm", approach.along, "",
             "share of that obstacle's normal force, cos θ − μ sin θ; "
@@ -103,6 +105,21 @@ def least_deceleration(scenario: ScenarioTables, approach: ObstacleApproach | No
     if not arms.at("compliant", approach.arm):
         return 0.0
     return float(approach.speed**2 / (2.0 * arms.at("stroke", approach.arm)))
+
+
+def _meets_an_arm(scenario: ScenarioTables, approach: ObstacleApproach) -> bool:
+    """True if the cage of an arm, or a hull on it, is what meets the obstacle ahead first."""
+    vehicle, world = scenario.vehicle, scenario.world
+    on_arms = tuple(one for one in vehicle.hulls if one.on != "body")
+    if not approach.is_level or not (vehicle.arms.cages or on_arms):
+        return False
+    if not vehicle.has_body_hull:
+        return True
+    alone = approach_ahead(scenario.with_checked(
+        vehicle=vehicle.with_checked(hull=None, hulls=on_arms),
+        world=world.with_checked(obstacles=world.obstacles[approach.obstacle :][:1]),
+    ))  # fmt: skip
+    return alone is not None and alone.way < approach.way + TOGETHER
 
 
 def _runs_up(scenario: ScenarioTables) -> bool:
@@ -206,7 +223,8 @@ def _of_arms(vehicle: Vehicle, group: list[int]) -> Iterator[ScenarioQuantity]:
         "" if len(group) == vehicle.arm_count else f" of arm {', '.join(str(k + 1) for k in group)}"
     )
     m, k, b = (arms.at(name, j) for name in ("mass", "stiffness", "damping"))
-    free = "of one arm on its spring, the body held: not of the vehicle at an obstacle"
+    left = "" if arms.neighbours is None else "; springs to neighbouring arms are left out"
+    free = f"of one arm on its spring, the body held: not of the vehicle at an obstacle{left}"
     yield ScenarioQuantity(f"natural frequency{of}", math.sqrt(k / m) / math.tau, "Hz", free)
     yield ScenarioQuantity(f"damping ratio{of}", b / (2.0 * math.sqrt(k * m)), "", free)
     if (load := opening_load(arms, j)) > 0.0:
@@ -214,7 +232,7 @@ def _of_arms(vehicle: Vehicle, group: list[int]) -> Iterator[ScenarioQuantity]:
         about = "of preload and latch: below it the arm does not move"
         yield ScenarioQuantity(f"opening {kind}{of}", load, unit, about)
     if arms.end_stops and arms.is_planar:
-        about = "estimate: the body on this one spring, its cage held by the wall ahead"
+        about = f"estimate: the body on this one spring, its cage held by the wall ahead{left}"
         yield ScenarioQuantity(
             f"speed that uses up the stroke{of}", stop_speed(vehicle, j), "m/s", about
         )
@@ -419,9 +437,9 @@ def _approach_warnings(scenario: Scenario) -> Iterator[str]:
                 f"{'behind' if off > 0.0 else 'before'} that: the run-up's speed "
                 "and pitch are those planned at wall_distance"
             )
-    if not vehicle.arms.is_planar or not approach.is_level:
+    if not vehicle.arms.is_planar or not vehicle.arms.at("compliant", approach.arm):
         return
-    if not vehicle.arms.at("compliant", approach.arm):
+    if not _meets_an_arm(scenario, approach):
         return
     if approach.along < LEAST_ALONG:
         yield (
