@@ -31,7 +31,8 @@ FORWARDS = [2.0, 0.0, 0.0]
 
 def scenario(position: Any, velocity: Any, yaw: float = 0.0, **more: Any) -> Any:
     start = {"position": position, "velocity": velocity, "yaw": yaw}
-    return scenario_from({"vehicle": "arq", "start": start, "world": {"obstacles": ROOM}, **more})
+    given = {"vehicle": "arq", "start": start, "world": {"obstacles": ROOM}, **more}
+    return scenario_from(given)
 
 
 @pytest.mark.parametrize(
@@ -89,6 +90,43 @@ def test_from_above_no_arm_is_foremost() -> None:
     names = [one.name for one in derived_numbers(given)]
     assert "approach speed" in names
     assert "force along the foremost arm" not in names
+
+
+FOREMOST = "force along the foremost arm"
+
+
+@pytest.mark.parametrize(
+    ("vehicle", "yaw", "told"),
+    [
+        ("arq", 0.0, True),
+        ("spiri", 0.0, True),  # bumpers on its arms
+        ("caged-sphere", 0.0, False),
+        ("caged-sphere-gimbal", 0.0, False),  # only the sphere touches
+        (
+            {"preset": "arq", "hull": {"radius": 0.189}, "arms": {"cage_radius": 0.1}},
+            math.pi / 4,
+            True,
+        ),
+        (
+            {"preset": "arq", "hull": False, "hulls": [{"type": "sphere", "radius": 0.3}]},
+            0.0,
+            False,
+        ),
+        # Between two cages, which pass on both sides of the column, its main body meets it.
+        ({"preset": "arq", "arms": {"length": 0.25, "cage_radius": 0.08}}, 0.0, False),
+        ({"preset": "arq", "arms": {"length": 0.25, "cage_radius": 0.08}}, math.pi / 4, True),
+    ],
+)
+def test_the_force_along_an_arm_is_told_where_an_arm_meets_the_obstacle(
+    vehicle: Any, yaw: float, told: bool
+) -> None:
+    given = scenario([0.8, -1.2, 1.2], FORWARDS, yaw=yaw, vehicle=vehicle)
+    names = {one.name for one in derived_numbers(given)}
+    assert "approach speed" in names
+    assert (FOREMOST in names) is told
+    if not told:
+        assert "least peak deceleration" not in names
+        assert not [line for line in check_warnings(given) if "hardly slides" in line]
 
 
 @pytest.mark.parametrize(("distance", "off"), [(2.54, ""), (3.0, "0.46 m before that")])

@@ -171,6 +171,14 @@ def test_frequency_and_damping_are_said_to_be_of_one_arm() -> None:
         assert about[name].startswith("of one arm on its spring, the body held")
 
 
+def test_numbers_of_one_arm_are_said_to_leave_out_springs_to_its_neighbours() -> None:
+    names = {"natural frequency", "damping ratio", "speed that uses up the stroke"}
+    for words in ((), ("vehicle.arms.neighbours.stiffness=1 N/mm",)):
+        about = {one.name: one.about for one in derived_numbers(scenario(*words))}
+        told = {name for name, text in about.items() if "neighbouring arms are left out" in text}
+        assert told == (names if words else set())
+
+
 @pytest.mark.parametrize("pitch", [0.0, -0.5])
 def test_a_run_up_meets_the_wall_at_the_yaw_that_it_holds(pitch: float) -> None:
     """Not at that of the start, from which it turns away."""
@@ -233,3 +241,51 @@ def test_arms_that_can_fold_into_each_other_are_told() -> None:
         assert (found < 0.0) is meets
         told = [line for line in check_warnings(folding) if "arms can fold until" in line]
         assert bool(told) is meets
+
+
+RAISED = ("vehicle.arms.cage_radius=0.12", "vehicle.arms.height=[0, 0.03, 0, 0.03]")
+
+
+@pytest.mark.parametrize("height", [0.03, 0.05])
+@pytest.mark.parametrize("length", [0.16, 0.18])  # over each other seen from above, and aside
+def test_cages_at_different_heights_are_as_far_apart_as_their_circles(
+    height: float, length: float
+) -> None:
+    words = (
+        "vehicle.arms.cage_radius=0.12", f"vehicle.arms.height=[0, {height}, 0, {height}]",
+        f"vehicle.arms.length={length}", "start.position=[1, 0, 1]",
+    )  # fmt: skip
+    turns = np.linspace(0.0, math.tau, 2000)
+    circle = 0.12 * np.stack([np.cos(turns), np.sin(turns), 0.0 * turns], axis=1)
+    other = circle + np.array([length * math.sqrt(2.0), 0.0, height])
+    gap = min(np.linalg.norm(other - point, axis=1).min() for point in circle)
+    assert number("gap between cages", *words) == pytest.approx(gap, abs=1e-5)
+
+
+def test_arms_that_slide_past_each_other_at_their_heights_are_not_told_to_meet() -> None:
+    assert number("gap between cages that move", *RAISED) == pytest.approx(0.01)  # opposite arms
+    assert not [line for line in check_warnings(scenario(*RAISED)) if "arms can fold" in line]
+    level = ("vehicle.arms.height=[0, 0.0005, 0, 0.0005]", "vehicle.arms.stroke=0.05")
+    assert [line for line in check_warnings(scenario(*level)) if "arms can fold" in line]
+
+
+def test_arms_that_rise_into_the_height_of_others_meet_there() -> None:
+    joint = {"type": "slide", "direction": [0, 0, 1], "travel": [0, 0.15], "stiffness": 500.0}
+    arms = {"height": [0.0, 0.2, 0.0, 0.2], "length": 0.16, "cage_radius": 0.12, "joint": joint}
+    for travel, meets in ((0.15, False), (0.25, True)):
+        joint["travel"] = [[0, travel], [0, 0.05], [0, travel], [0, 0.05]]
+        given = scenario_from({"vehicle": {"preset": "arq", "hull": False, "arms": arms}})
+        [found] = [
+            x.value for x in derived_numbers(given) if x.name == "gap between cages that move"
+        ]
+        if meets:
+            assert found == pytest.approx(0.16 * math.sqrt(2.0) - 0.24)
+        else:
+            assert found == pytest.approx(0.05)
+
+
+def test_cages_that_tilt_as_they_fold_are_taken_as_balls() -> None:
+    joint = {"type": "hinge", "axis": [0, -1, 0], "travel": [0, 0.6], "stiffness": 1.0}
+    given = scenario_from({"vehicle": {"preset": "arq", "hull": False, "arms": {"joint": joint}}})
+    [found] = [x.value for x in derived_numbers(given) if x.name == "gap between cages that move"]
+    assert found == pytest.approx(0.19 * math.cos(0.6) * math.sqrt(2.0) - 0.22, abs=1e-3)

@@ -42,6 +42,7 @@ from springback.scenario.tables import (
     ThrustSettings,
     UserShape,
 )
+from springback.scenario.vehicles.slides import check_slides
 from springback.scenario.vehicles.thrusts import thrusts_of
 from springback.scenario.worlds.free_starts import check_free_starts
 from springback.scenario.worlds.imported import (
@@ -91,7 +92,8 @@ def check_tables(scenario: ScenarioTables, build: Build = plain_build) -> None:
 
 
 def check_joints(scenario: ScenarioTables) -> None:
-    """Reject what is defined for arms in the body plane alone."""
+    """Reject slides through the vehicle, and what is defined for arms in the body plane alone."""
+    check_slides(scenario.vehicle.arms)
     if not scenario.vehicle.arms.is_planar and scenario.model.contact_point == "paper":
         raise problem(
             "must be ring for arms on joints, or whose ends are raised: the paper's contact point "

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 import shlex
-from collections.abc import Iterable, Mapping, Sequence, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from springback.contact.parameters import PLANES, Ground
-from springback.contact.worlds import surfaces_of
+from springback.contact.parameters import PLANES, Ground, SurfaceSettings
+from springback.contact.worlds import laws_by_key, surfaces_of
 from springback.control.demands import Demands, Limits, shortfalls
 from springback.control.linear import warnings_for
 from springback.control.reference_parameters import CircleSettings, RunUpSettings
@@ -21,11 +21,14 @@ from springback.scenario.avionics import NominalVehicle, limits_of, nominal_vehi
 from springback.scenario.model import contact_point_of
 from springback.scenario.scenario import Scenario
 from springback.scenario.tables import ScenarioTables
+from springback.scenario.vehicles.hover_balance import balance_warnings
 from springback.scenario.vehicles.hover_rest import hover_warnings
 from springback.scenario.vehicles.overlap import overlap_warnings
 from springback.scenario.vehicles.range_check import size_warnings
+from springback.scenario.vehicles.slides import slide_warnings
 from springback.scenario.worlds.imported import Imported, named_obstacles, single_obstacles
 from springback.scenario.worlds.mesh_check import mesh_warnings
+from springback.vehicle.force_laws import HullSurface
 from springback.vehicle.parameters import Vehicle
 
 #: Distance from start.position to reference.start that is worth a warning [m] (chosen: more than
@@ -61,6 +64,7 @@ def scenario_warnings(
         given = frozenset() if saved else scenario.model_fields_set
     found = _unrepresented(scenario) + _curved(scenario)
     found += mesh_warnings(scenario.world.obstacles) + _overdamped(scenario)
+    found += _unused_exponents(scenario)
     found += _nothing_beside(scenario) + _of_vehicle(scenario, own)
     found += _warnings_of_the_pilot(scenario, own, given)
     if scenario.second is not None:
@@ -72,13 +76,15 @@ def scenario_warnings(
 
 
 def _of_vehicle(scenario: ScenarioTables, own: bool) -> list[str]:
-    """Guards in each other, sizes and springs that are seldom meant, joints that hover bends."""
+    """Guards in each other, sizes, springs and slides seldom meant, what hover bends and turns."""
     vehicle = scenario.vehicle
     sizes = size_warnings(vehicle, scenario.simulation.impact_step)
     piloted = own or scenario.pilot is not None or scenario.reference is not None
     hovers = piloted or scenario.thrust != 0.0
     rests = hover_warnings(vehicle, scenario.world.gravity) if hovers else []
-    return overlap_warnings(vehicle) + sizes + rests
+    alone = scenario.thrust == "hover" and not piloted and scenario.model.slider is None
+    turns = balance_warnings(vehicle, scenario.world.gravity) if alone else []
+    return overlap_warnings(vehicle) + sizes + slide_warnings(vehicle) + rests + turns
 
 
 def _curved(scenario: ScenarioTables) -> list[str]:
@@ -114,6 +120,38 @@ def _overdamped(scenario: ScenarioTables) -> list[str]:
                 f"by some {viscosity / mass:.3g} m/s² for each m/s; do not use peak accelerations "
                 f"and forces of this contact, or give it a viscosity of at most "
                 f"{2.0 * MOST_DAMPED * math.sqrt(stiffness * mass):.3g} N s/m"
+            ]
+    return []
+
+
+def _laws(scenario: Scenario) -> Iterator[tuple[str, SurfaceSettings | HullSurface]]:
+    """Surfaces of obstacles, of hulls and of the contact of two vehicles, each with its path."""
+    for k, entry in enumerate(scenario.world.obstacles):
+        for one in single_obstacles([entry]):
+            laws = [("surface", one.surface)] if one.type == "own" else laws_by_key(one)
+            yield from ((f"world.obstacles[{k}].{key}", law) for key, law in laws)
+    vehicles = {"vehicle": scenario.vehicle}
+    if scenario.second is not None:
+        vehicles["second.vehicle"] = scenario.second.vehicle
+        if scenario.second.surface is not None:
+            yield "second.surface", scenario.second.surface
+    for path, vehicle in vehicles.items():
+        for k, hull in enumerate(vehicle.hulls):
+            if hull.surface is not None:
+                yield f"{path}.hulls[{k}].surface", hull.surface
+
+
+def _unused_exponents(scenario: Scenario) -> list[str]:
+    """The first exponent of a law that has none, but 1 and that which it has by default."""
+    for path, law in _laws(scenario):
+        readers = "hertz and hunt-crossley do"
+        unread = isinstance(law, SurfaceSettings) and "exponent" in law.unread()
+        if isinstance(law, HullSurface):
+            readers, unread = "power does", law.law in ("foam", "table")
+        if unread and law.exponent not in (1.0, type(law).model_fields["exponent"].default):
+            return [
+                f"{path}.exponent is not used: law {law.law} has none, and {law.exponent:g} "
+                f"changes nothing; leave it out, or give a law that reads it ({readers})"
             ]
     return []
 

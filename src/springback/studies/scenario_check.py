@@ -20,6 +20,7 @@ from springback.scenario.warnings import scenario_warnings
 from springback.scenario.worlds.imported import named_obstacles
 from springback.scenario.worlds.mesh_check import axis_warnings
 from springback.studies.approach import ObstacleApproach, approach_ahead
+from springback.vehicle.arms.settings import LEVEL
 from springback.vehicle.endurance import hover_time
 from springback.vehicle.parameters import Arms, Vehicle
 from springback.vehicle.placed.balance import hover_balance
@@ -35,6 +36,8 @@ INERTIA_SHARES = (0.01, 0.5)
 FAR = 2.0
 #: Places in the travel of an arm at which its cage is looked at (chosen).
 PLACES = 41
+#: Vertical share of a hinge's axis from which cages on it stay level.
+UPRIGHT = 1.0 - 1e-9
 #: Share of a wall's force along an arm below which its spring hardly works (chosen).
 LEAST_ALONG = 0.5
 #: Obstacles that a warning names at most (chosen).
@@ -42,6 +45,10 @@ MOST_NAMED = 3
 #: Distance between an obstacle and the wall that a run-up is planned to, which is worth a warning
 #: (chosen: five standard deviations of the trials' walls) [m].
 WALL_OFFSET = 0.1
+#: Parts of a vehicle whose ways to an obstacle differ by less meet it together [m] (chosen).
+TOGETHER = 1e-4
+
+Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
 class ScenarioQuantity(NamedTuple):
@@ -66,8 +73,8 @@ def derived_numbers(scenario: Scenario) -> list[ScenarioQuantity]:
             "approach speed", approach.speed, "m/s", f"of the main body {when}, along the normal "
             f"of {approach.words}: met first, {approach.way:.3g} m straight on",
         ))  # fmt: skip
-        if not vehicle.arms.is_planar or not approach.is_level:  # paths of joints are not told
-            return found
+        if not vehicle.arms.is_planar or not _meets_an_arm(scenario, approach):
+            return found  # paths of joints are not told
         found.append(ScenarioQuantity(
             "force along the foremost arm", approach.along, "",
             "share of that obstacle's normal force, cos θ − μ sin θ; "
@@ -98,6 +105,21 @@ def least_deceleration(scenario: ScenarioTables, approach: ObstacleApproach | No
     if not arms.at("compliant", approach.arm):
         return 0.0
     return float(approach.speed**2 / (2.0 * arms.at("stroke", approach.arm)))
+
+
+def _meets_an_arm(scenario: ScenarioTables, approach: ObstacleApproach) -> bool:
+    """True if the cage of an arm, or a hull on it, is what meets the obstacle ahead first."""
+    vehicle, world = scenario.vehicle, scenario.world
+    on_arms = tuple(one for one in vehicle.hulls if one.on != "body")
+    if not approach.is_level or not (vehicle.arms.cages or on_arms):
+        return False
+    if not vehicle.has_body_hull:
+        return True
+    alone = approach_ahead(scenario.with_checked(
+        vehicle=vehicle.with_checked(hull=None, hulls=on_arms),
+        world=world.with_checked(obstacles=world.obstacles[approach.obstacle :][:1]),
+    ))  # fmt: skip
+    return alone is not None and alone.way < approach.way + TOGETHER
 
 
 def _runs_up(scenario: ScenarioTables) -> bool:
@@ -201,7 +223,8 @@ def _of_arms(vehicle: Vehicle, group: list[int]) -> Iterator[ScenarioQuantity]:
         "" if len(group) == vehicle.arm_count else f" of arm {', '.join(str(k + 1) for k in group)}"
     )
     m, k, b = (arms.at(name, j) for name in ("mass", "stiffness", "damping"))
-    free = "of one arm on its spring, the body held: not of the vehicle at an obstacle"
+    left = "" if arms.neighbours is None else "; springs to neighbouring arms are left out"
+    free = f"of one arm on its spring, the body held: not of the vehicle at an obstacle{left}"
     yield ScenarioQuantity(f"natural frequency{of}", math.sqrt(k / m) / math.tau, "Hz", free)
     yield ScenarioQuantity(f"damping ratio{of}", b / (2.0 * math.sqrt(k * m)), "", free)
     if (load := opening_load(arms, j)) > 0.0:
@@ -209,7 +232,7 @@ def _of_arms(vehicle: Vehicle, group: list[int]) -> Iterator[ScenarioQuantity]:
         about = "of preload and latch: below it the arm does not move"
         yield ScenarioQuantity(f"opening {kind}{of}", load, unit, about)
     if arms.end_stops and arms.is_planar:
-        about = "estimate: the body on this one spring, its cage held by the wall ahead"
+        about = f"estimate: the body on this one spring, its cage held by the wall ahead{left}"
         yield ScenarioQuantity(
             f"speed that uses up the stroke{of}", stop_speed(vehicle, j), "m/s", about
         )
@@ -267,20 +290,43 @@ def _gap(arms: Arms, i: int, j: int, pressed: float) -> float:
     for k in (i, j):
         stroke = arms.at("stroke", k) if arms.at("compliant", k) else 0.0
         ends.append(np.array(arms.place(k, pressed * stroke)))
-    apart = float(np.linalg.norm(ends[0] - ends[1]))
-    return apart - float(arms.at("cage_radius", i) + arms.at("cage_radius", j))
+    room = float(arms.at("cage_radius", i) + arms.at("cage_radius", j))
+    return float(_level_gap(ends[0] - ends[1], room, LEVEL))
+
+
+def _level_gap(apart: Array, room: float, level: float) -> Array:
+    """Gap between two level circles [m]; less than 0 if they overlap at one height.
+
+    Args:
+        apart: From one middle to the other [m], shape (..., 3).
+        room: Sum of their radii [m].
+        level: Difference of heights below which they can meet side by side [m].
+    """
+    beside, above = np.hypot(apart[..., 0], apart[..., 1]) - room, np.abs(apart[..., 2])
+    found: Array = np.where(above < level, beside, np.hypot(np.maximum(beside, 0.0), above))
+    return found
 
 
 def _smallest_gap(arms: Arms) -> float:
-    """Smallest gap between two cages [m], each arm anywhere in the travel of its first joint."""
-    places = []
+    """Smallest gap between two cages [m], each arm anywhere in the travel of its first joint.
+
+    Cages that tilt as their arms fold are taken as balls.
+    """
+    places, steps, tilts = [], [], []
     for k in range(len(arms.directions)):
         ways = np.linspace(*arms.travel(k), PLACES) if arms.at("compliant", k) else np.zeros(1)
         places.append(np.array([arms.place(k, float(way)) for way in ways]))
+        steps.append(float(np.abs(np.diff(places[-1][:, 2])).max(initial=0.0)))
+        axis = (path := arms.joint_of(k)).direction ^ path.inward
+        tilts.append(arms.hinges[0] and abs(axis.z) < UPRIGHT and len(ways) > 1)
     found = math.inf
     for i, j in combinations(range(len(places)), 2):
-        apart = np.linalg.norm(places[i][:, None] - places[j][None], axis=2).min()
-        found = min(found, float(apart - arms.at("cage_radius", i) - arms.at("cage_radius", j)))
+        room = float(arms.at("cage_radius", i) + arms.at("cage_radius", j))
+        apart = places[i][:, None] - places[j][None]
+        gaps = _level_gap(apart, room, max(LEVEL, steps[i], steps[j]))
+        if tilts[i] or tilts[j]:
+            gaps = np.linalg.norm(apart, axis=2) - room
+        found = min(found, float(gaps.min()))
     return found
 
 
@@ -391,9 +437,9 @@ def _approach_warnings(scenario: Scenario) -> Iterator[str]:
                 f"{'behind' if off > 0.0 else 'before'} that: the run-up's speed "
                 "and pitch are those planned at wall_distance"
             )
-    if not vehicle.arms.is_planar or not approach.is_level:
+    if not vehicle.arms.is_planar or not vehicle.arms.at("compliant", approach.arm):
         return
-    if not vehicle.arms.at("compliant", approach.arm):
+    if not _meets_an_arm(scenario, approach):
         return
     if approach.along < LEAST_ALONG:
         yield (
