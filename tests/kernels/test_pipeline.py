@@ -25,6 +25,7 @@ from springback.kernels.gpu.nvptx import device_function, lower
 from springback.kernels.passes import pipeline
 from springback.kernels.passes.pipeline import _KernelLibrary
 from springback.kernels.trees import select, tree_map
+from springback.simulation.lanes import lanes_of
 
 
 class Pair(NamedTuple):
@@ -228,6 +229,23 @@ def _functions(entry: Any, name: str) -> tuple[int, int]:
     named = [line for line in lines if name in line]
     defined = [line for line in named if line.startswith("define")]
     return len(defined), sum(" call " in line for line in named)
+
+
+def test_instructions_are_put_in_order_once_more_for_lanes_only(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Of what flies several flights; whatever was compiled, the compiler is then as it was."""
+    told: list[str] = []
+    monkeypatch.setattr(pipeline, "set_option", lambda _, option: told.append(option))
+
+    @executor(nogil=True)
+    def in_lanes(lanes: tuple[int, ...], x: float) -> float:
+        return len(lanes) * x
+
+    assert in_lanes(lanes_of(1), 2.0) == 2.0
+    assert in_lanes(lanes_of(8), 2.0) == 16.0
+    order = "-post-RA-scheduler"
+    assert told == [f"{order}=false", f"{order}=true", f"{order}=true", f"{order}=true"]
 
 
 def test_kernels_for_rare_events_are_called_not_copied() -> None:
