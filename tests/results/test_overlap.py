@@ -42,3 +42,15 @@ def test_arms_that_fold_through_each_other_are_told() -> None:
 def test_stiff_arms_stay_apart() -> None:
     flight = springback.fly(tables(20.0))
     assert OverlapWarning not in flight.remarks
+
+
+def test_cages_at_different_heights_pass_over_each_other() -> None:
+    """In plan they overlap by 14 mm from the start; at one height such a vehicle is refused."""
+    given = tables(20.0)
+    arms = {"height": [0.0, 0.03, 0.0, 0.03], "cage_radius": 0.12, "length": 0.16}
+    given["vehicle"]["arms"] = arms
+    given["simulation"]["duration"] = 0.05
+    flight = springback.fly(given)
+    ends = [end_positions(flight.scenario.vehicle, j, flight.columns[f"l{j + 1}"]) for j in (0, 1)]
+    assert np.hypot(*(ends[0] - ends[1]).T[:2]).min() < 0.24
+    assert OverlapWarning not in flight.remarks

@@ -12,6 +12,7 @@ import numpy as np
 from springback.contact.shapes import Ball, Box, Capsule, Hoop, Pole
 from springback.contact.unions import ShapeUnion
 from springback.control.reference_parameters import RunUpSettings
+from springback.results.joints.overlap import cage_tilts, level_gap
 from springback.scenario.fields import degrees
 from springback.scenario.scenario import Scenario
 from springback.scenario.tables import ScenarioTables
@@ -36,8 +37,6 @@ INERTIA_SHARES = (0.01, 0.5)
 FAR = 2.0
 #: Places in the travel of an arm at which its cage is looked at (chosen).
 PLACES = 41
-#: Vertical share of a hinge's axis from which cages on it stay level.
-UPRIGHT = 1.0 - 1e-9
 #: Share of a wall's force along an arm below which its spring hardly works (chosen).
 LEAST_ALONG = 0.5
 #: Obstacles that a warning names at most (chosen).
@@ -47,8 +46,6 @@ MOST_NAMED = 3
 WALL_OFFSET = 0.1
 #: Parts of a vehicle whose ways to an obstacle differ by less meet it together [m] (chosen).
 TOGETHER = 1e-4
-
-Array = np.ndarray[Any, np.dtype[np.float64]]
 
 
 class ScenarioQuantity(NamedTuple):
@@ -102,7 +99,7 @@ def least_deceleration(scenario: ScenarioTables, approach: ObstacleApproach | No
     arms = scenario.vehicle.arms
     if approach is None or not approach.is_level or not arms.is_planar:
         return 0.0
-    if not arms.at("compliant", approach.arm):
+    if not arms.at("compliant", approach.arm) or not _meets_an_arm(scenario, approach):
         return 0.0
     return float(approach.speed**2 / (2.0 * arms.at("stroke", approach.arm)))
 
@@ -291,20 +288,7 @@ def _gap(arms: Arms, i: int, j: int, pressed: float) -> float:
         stroke = arms.at("stroke", k) if arms.at("compliant", k) else 0.0
         ends.append(np.array(arms.place(k, pressed * stroke)))
     room = float(arms.at("cage_radius", i) + arms.at("cage_radius", j))
-    return float(_level_gap(ends[0] - ends[1], room, LEVEL))
-
-
-def _level_gap(apart: Array, room: float, level: float) -> Array:
-    """Gap between two level circles [m]; less than 0 if they overlap at one height.
-
-    Args:
-        apart: From one middle to the other [m], shape (..., 3).
-        room: Sum of their radii [m].
-        level: Difference of heights below which they can meet side by side [m].
-    """
-    beside, above = np.hypot(apart[..., 0], apart[..., 1]) - room, np.abs(apart[..., 2])
-    found: Array = np.where(above < level, beside, np.hypot(np.maximum(beside, 0.0), above))
-    return found
+    return float(level_gap(ends[0] - ends[1], room, LEVEL))
 
 
 def _smallest_gap(arms: Arms) -> float:
@@ -317,13 +301,12 @@ def _smallest_gap(arms: Arms) -> float:
         ways = np.linspace(*arms.travel(k), PLACES) if arms.at("compliant", k) else np.zeros(1)
         places.append(np.array([arms.place(k, float(way)) for way in ways]))
         steps.append(float(np.abs(np.diff(places[-1][:, 2])).max(initial=0.0)))
-        axis = (path := arms.joint_of(k)).direction ^ path.inward
-        tilts.append(arms.hinges[0] and abs(axis.z) < UPRIGHT and len(ways) > 1)
+        tilts.append(cage_tilts(arms, k) and len(ways) > 1)
     found = math.inf
     for i, j in combinations(range(len(places)), 2):
         room = float(arms.at("cage_radius", i) + arms.at("cage_radius", j))
         apart = places[i][:, None] - places[j][None]
-        gaps = _level_gap(apart, room, max(LEVEL, steps[i], steps[j]))
+        gaps = level_gap(apart, room, max(LEVEL, steps[i], steps[j]))
         if tilts[i] or tilts[j]:
             gaps = np.linalg.norm(apart, axis=2) - room
         found = min(found, float(gaps.min()))

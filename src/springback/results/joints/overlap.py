@@ -9,18 +9,21 @@ from typing import Any
 import numpy as np
 
 from springback.vehicle.arms.joints import STRAIGHT
+from springback.vehicle.arms.settings import LEVEL, Arms
 from springback.vehicle.parameters import Vehicle
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
 #: Overlap that is told [m] (chosen: a cage gives way by as much).
 TOLD = 2e-3
+#: Vertical share of a hinge's axis from which cages on it stay level.
+UPRIGHT = 1.0 - 1e-9
 
 
 def overlapping_cages(vehicle: Vehicle, columns: Mapping[str, Array]) -> str | None:
     """A sentence on the cages that came into each other most, if any did.
 
-    Ends of arms on two joints are taken as if the second stood still.
+    Ends of arms on two joints are taken as if the second stood still, and cages that tilt as balls.
 
     Args:
         vehicle: The one that flew.
@@ -33,7 +36,10 @@ def overlapping_cages(vehicle: Vehicle, columns: Mapping[str, Array]) -> str | N
     worst, sentence = TOLD, None
     for i, j in combinations(range(count), 2):
         room = float(arms.at("cage_radius", i) + arms.at("cage_radius", j))
-        overlap = room - np.linalg.norm(ends[i] - ends[j], axis=1)
+        apart = ends[i] - ends[j]
+        overlap = room - np.linalg.norm(apart, axis=1)
+        if not (cage_tilts(arms, i) or cage_tilts(arms, j)):
+            overlap = -level_gap(apart, room, LEVEL)
         at = int(overlap.argmax())
         if overlap[at] > worst:
             worst = float(overlap[at])
@@ -43,6 +49,26 @@ def overlapping_cages(vehicle: Vehicle, columns: Mapping[str, Array]) -> str | N
                 "travel with end stops, or stiffer springs, keep them apart"
             )
     return sentence
+
+
+def level_gap(apart: Array, room: float, level: float) -> Array:
+    """Gap between two level circles [m]; less than 0 if they overlap at one height.
+
+    Args:
+        apart: From one middle to the other [m], shape (..., 3).
+        room: Sum of their radii [m].
+        level: Difference of heights below which they can meet side by side [m].
+    """
+    beside, above = np.hypot(apart[..., 0], apart[..., 1]) - room, np.abs(apart[..., 2])
+    found: Array = np.where(above < level, beside, np.hypot(np.maximum(beside, 0.0), above))
+    return found
+
+
+def cage_tilts(arms: Arms, arm: int) -> bool:
+    """True if the cage of an arm tilts as the arm turns about its first joint."""
+    path = arms.joint_of(arm)
+    axis = path.direction ^ path.inward
+    return bool(arms.hinges[0]) and abs(axis.z) < UPRIGHT
 
 
 def end_positions(vehicle: Vehicle, arm: int, lengths: Array) -> Array:
