@@ -238,10 +238,10 @@ def test_instructions_are_put_in_order_once_more_for_lanes_only(
     told: list[str] = []
     monkeypatch.setattr(pipeline, "set_option", lambda _, option: told.append(option))
 
-    @executor(nogil=True)
-    def in_lanes(lanes: tuple[int, ...], x: float) -> float:
+    def over_lanes(lanes: tuple[int, ...], x: float) -> float:
         return len(lanes) * x
 
+    in_lanes: Any = njit(**STRICT)(over_lanes)
     assert in_lanes(lanes_of(1), 2.0) == 2.0
     assert in_lanes(lanes_of(8), 2.0) == 16.0
     order = "-post-RA-scheduler"
