@@ -133,6 +133,16 @@ def test_axes_given_to_a_mapping_are_refused(folder: Path) -> None:
         read_flights(read_fit_plan(folder / "fit.toml"), folder)
 
 
+def test_a_log_in_wrong_axes_is_refused_by_a_fit(folder: Path) -> None:
+    """As by `segment`, with the line to write; it searched for minutes, and said so at its end."""
+    mapping = (folder / "impact_log.toml").read_text().replace('"nwu"', '"ned"')
+    (folder / "impact_log.toml").write_text(mapping.replace('"flu"', '"frd"'))
+    with pytest.raises(InputError, match=r'all findings pass with .*world = "nwu" body = "flu"'):
+        read_flights(read_fit_plan(folder / "fit.toml"), folder)
+    [flight] = read_flights(read_fit_plan(folder / "fit.toml", ["no_check=true"]), folder)
+    assert any("impact_log" in text for text in flight.warnings)
+
+
 def test_the_mass_of_a_body_of_parts_is_not_a_field(folder: Path) -> None:
     """It was flown, and refused there, with a hint at obstacles and frames."""
     part = '{type = "box", mass = "1 kg", size = ["0.1 m", "0.1 m", "0.1 m"]}'

@@ -194,6 +194,14 @@ def test_an_acceleration_in_another_unit_is_refused(factor: float, said: str) ->
     refuse_units(recording(force))
 
 
+@pytest.mark.parametrize("factor", [1e-3 / 9.80665, 1e5])
+def test_an_acceleration_that_no_unit_explains_is_refused(factor: float) -> None:
+    """Readings in g that are called mm/s², for one: its axes were blamed."""
+    force, _ = inertial()
+    with pytest.raises(InputError, match=r"gravity 9\.81: its unit, or its scale, is wrong$"):
+        refuse_units(recording(replace(force, values=factor * force.values)))
+
+
 @pytest.mark.parametrize(("factor", "said"), [(1e3, "mm"), (1e-3, "km")])
 def test_a_position_in_another_unit_is_refused(factor: float, said: str) -> None:
     """Too large by its speed alone, too small by the accelerometer."""

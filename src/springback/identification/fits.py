@@ -144,6 +144,7 @@ def _read_flight(
     refuse_clock_jumps(recordings)
     for log in recordings:
         refuse_units(log, max(scenario.start_state().arm_length, default=None))
+    doubts = refuse_wrong_axes(recordings, given.world, given.body, goes_on=given.no_check)
     names = ", ".join(str(one.path) for one in recordings)
     found = find_impacts(recordings, drops=plan.experiment == "drop")
     wanted, refused = list[LogImpact](), list[str]()
@@ -164,7 +165,6 @@ def _read_flight(
         refused.append(f"{names}: no impact was found; springback identify inspect tells more")
     used = [one for one in (wanted if given.at else found) if not one.refused]
     impacts = tuple(impact_window(plan, scenario, recordings, one) for one in used)
-    doubts = refuse_wrong_axes(recordings, given.world, given.body, goes_on=True)
     warnings = (*damages(recordings), *doubts)
     if plan.sensors.accelerometer.low_pass is None:
         warnings += tuple(

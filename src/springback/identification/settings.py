@@ -208,6 +208,8 @@ class LoggedFlight(Settings):
     """First instant to read."""
     last: Annotated[float, Unit("s")] | None = None
     """Last instant to read."""
+    no_check: bool = False
+    """Go on, with a warning, if the data contradict their axes or their quaternion order."""
     at: tuple[Annotated[float, Unit("s")], ...] = ()
     """Instants of the touches to fit, to within 50 ms; by default all that are found."""
     change: tuple[str, ...] = ()
@@ -325,7 +327,8 @@ class FitPlan(Settings):
         if isinstance(given, Mapping) and "logs" in given:
             if "flights" in given:
                 raise problem("cannot be combined with [[flights]]", "logs")
-            alone = {key: given[key] for key in ("logs", "track") if key in given}
+            keys = ("logs", "track", "no_check")
+            alone = {key: given[key] for key in keys if key in given}
             rest = {key: value for key, value in given.items() if key not in alone}
             return {**rest, "flights": [alone]}
         return given

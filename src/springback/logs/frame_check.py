@@ -61,6 +61,8 @@ UNITS = ((1e3, "mm/s^2"), (1.0 / GRAVITY, "g"), (1e-3, "km/s^2"), (1e3 / GRAVITY
 RATE_UNITS = ((180.0 / np.pi, "deg/s"), (1e3, "mrad/s"), (1e-3, "krad/s"))
 #: A ratio of a unit is met within this factor (chosen).
 UNIT_WIDTH = 1.5
+#: Factor beyond which a specific force of steady size is no gravity (chosen).
+FAR_OFF = 30.0
 #: TurnRates and accelerations below which axes cannot be told apart, rms [rad/s], [m/s²] (chosen).
 STILL_RATE, STILL_ACCELERATION = 0.05, 0.5
 #: Correlation that axes must reach, and by how much another turn must be better (chosen).
@@ -101,12 +103,12 @@ def refuse_units(recording: Recording, arm_length: float | None = None) -> None:
         if not has_steady_size(channel.values):
             continue
         middle = float(np.nanmedian(np.linalg.norm(channel.values, axis=1)))
-        for ratio, unit in UNITS:
-            if 1.0 / UNIT_WIDTH < middle / GRAVITY / ratio < UNIT_WIDTH:
-                problems.append(
-                    f"{recording.path}: {channel.name}: |specific force| is {middle:.4g} m/s^2 at "
-                    f"the median and gravity 9.81: its unit is probably {unit}"
-                )
+        said = f"{recording.path}: {channel.name}: |specific force| is {middle:.4g} m/s^2 at the "
+        near = [unit for ratio, unit in UNITS if _is_near(middle / GRAVITY / ratio, UNIT_WIDTH)]
+        if near:
+            problems.append(f"{said}median and gravity 9.81: its unit is probably {near[0]}")
+        elif not _is_near(middle / GRAVITY, FAR_OFF):
+            problems.append(f"{said}median and gravity 9.81: its unit, or its scale, is wrong")
     for channel in recording.of(POSITION):
         speed = _usual_speed(channel)
         if speed > FASTEST:
@@ -358,6 +360,11 @@ def world_force(
         inside &= False
     q = interpolated_attitudes(attitude, at[inside]) if inside.any() else np.empty((0, 4))
     return accelerometer.times[inside], world_vectors(q, accelerometer.values[inside])
+
+
+def _is_near(ratio: float, factor: float) -> bool:
+    """True if a ratio is within a factor of 1."""
+    return 1.0 / factor < ratio < factor
 
 
 def _up_finding(
