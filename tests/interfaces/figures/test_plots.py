@@ -130,7 +130,7 @@ def test_a_flight_is_titled_by_its_outcome_and_what_it_touched(tmp_path: Path) -
     fragile = {**tables, "vehicle": {"preset": "xplorer", "limits": limits}}
     fragile["simulation"] = {"duration": 0.005}
     broken = plots.flight_figure(fly(fragile, executor="python"))
-    assert broken.axes[0].get_title(loc="left") == "broken: lens: more than 1 m/s²"
+    assert broken.axes[0].get_title(loc="left") == "broken: lens at 0 s: more than 1 m/s²"
     missed = plots.flight_figure(fake_slider_flight(hit=False))
     assert missed.axes[0].get_title(loc="left") == ""
     assert not [name for name in panels(missed) if "inge" in name]
