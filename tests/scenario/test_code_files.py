@@ -12,7 +12,7 @@ from springback.batch.scenarios import fly_scenarios
 from springback.errors import InputError
 from springback.scenario.code_files import changed_files, code_digests, read_object
 from springback.scenario.files import read_scenario
-from springback.scenario.trust import trust, trusted_folders
+from springback.scenario.user.trust import trust, trusted_folders
 
 FILE = '''
 """A pilot, a wall of one's own, and a note that this file was run."""

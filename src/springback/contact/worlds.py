@@ -18,7 +18,7 @@ from springback.contact.moving.parameters import FreeMotion
 from springback.contact.moving.scene import MovingScene
 from springback.contact.obstacles import Obstacle, Plane, SecondContact
 from springback.contact.parameters import Ground, Mat, SurfaceSettings, Wall, faces
-from springback.contact.scene.faces import SolidScene
+from springback.contact.scene.faces import SCENE_FACES, SolidScene
 from springback.contact.scene.table import MOST_SOLIDS, Solid, scene_of
 from springback.contact.shapes import ShapeSettings, SolidPart, half_space
 from springback.contact.surfaces import AnyExponent, ThreeHalves, remembers
@@ -195,7 +195,8 @@ def _scene(settings: Sequence[BuiltIn], own: Sequence[Own]) -> SolidScene:
         built = built._replace(bristles=1.0)
     if any(remembers(one.surface) for one in beside):
         built = built._replace(remembers=1.0)
-    return built._replace(own=beside)
+    # Its routine may not have been compiled when it was built (`routines_deferred`).
+    return built._replace(query=SCENE_FACES.address, own=beside)
 
 
 @lru_cache(maxsize=LATEST)

@@ -331,6 +331,11 @@ def compile_apart(function: Callable[..., Any], signature: Any, folder: Path) ->
     return CompiledRoutine(address, entry)
 
 
+def is_compiled_apart(function: Callable[..., Any], signature: Any, folder: Path) -> bool:
+    """True if `compile_apart` would find the code in the cache, as far as can be seen."""
+    return is_in_cache(_entry(function, folder, {}, source_digest()), signature)
+
+
 def compile_uncached(function: Callable[..., Any], signature: Any) -> None:
     """Compile a function for some compiler types; only entry points that it calls are cached."""
     entry: Any = _entry(function, None, {"nogil": True})

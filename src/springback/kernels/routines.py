@@ -22,7 +22,12 @@ import numpy as np
 from llvmlite import ir
 from numba import types
 
-from springback.kernels.compiler import cache_folder, compile_apart, compiler_rule
+from springback.kernels.compiler import (
+    cache_folder,
+    compile_apart,
+    compiler_rule,
+    is_compiled_apart,
+)
 from springback.kernels.trees import leaves, rebuilt
 
 T = TypeVar("T")
@@ -145,9 +150,12 @@ class Routine:
 
     @property
     def address(self) -> float:
-        """Address of the compiled code, as a float."""
+        """Address of the code, as a float; in `routines_deferred` 0 if it is not compiled."""
         if self._address is None:
             signature = (_typeof(self._arguments),)
+            if _DEFERRED and not is_compiled_apart(self.function, signature, cache_folder()):
+                _DEFERRED[-1].append(self)
+                return 0.0
             self._compiled = compile_apart(self.function, signature, cache_folder())
             self._address = float(self._compiled.address)
             _ROUTINES[self._address] = self
@@ -160,6 +168,25 @@ class Routine:
 
 #: Routines by address; none is ever unloaded.
 _ROUTINES: dict[float, Routine] = {}
+
+
+#: Routines asked for but not compiled, in each context of `routines_deferred`.
+_DEFERRED: list[list[Routine]] = []
+
+
+@contextmanager
+def routines_deferred() -> Iterator[list[Routine]]:
+    """Context in which no routine is compiled: trees that name one have types, but cannot be flown.
+
+    Yields:
+        Routines that are still to be compiled, as they are asked for.
+    """
+    asked: list[Routine] = []
+    _DEFERRED.append(asked)
+    try:
+        yield asked
+    finally:
+        _DEFERRED.pop()
 
 
 def call_routine(address: float, argument: Any, like: T) -> T:

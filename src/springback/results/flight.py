@@ -26,6 +26,7 @@ from springback.results.recovery_measures import guided_result
 from springback.results.result import FlightResult, ObstacleContact
 from springback.scenario.build import ReadyFlight, user_parts
 from springback.scenario.files import as_input, checked_scenario, read_scenario
+from springback.scenario.flight_kernels import flights_compiled_early
 from springback.scenario.overrides import apply_overrides
 from springback.scenario.scenario import Scenario, scenario_from
 from springback.scenario.user.compiled import check_user_code, compiling
@@ -244,6 +245,7 @@ class Flight(FlightResult):
         return str(hook("Flight.html")(self))
 
 
+@flights_compiled_early()
 def fly(
     scenario: Scenario | Mapping[str, Any] | str | Path,
     *overrides: str,

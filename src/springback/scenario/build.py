@@ -30,7 +30,6 @@ from springback.scenario.checks import (
 )
 from springback.scenario.model import flight_model, start_state
 from springback.scenario.tables import ScenarioTables, ThrustSettings
-from springback.scenario.trust import check_trusted
 from springback.scenario.user.builders import PilotContext
 from springback.scenario.user.obstacles import check_own_obstacles, own_names, own_obstacles
 from springback.scenario.user.pilots import (
@@ -40,6 +39,7 @@ from springback.scenario.user.pilots import (
     read_pilot,
 )
 from springback.scenario.user.sensing import SensingCode, built_sensing, read_sensing
+from springback.scenario.user.trust import check_trusted
 from springback.scenario.vehicles.thrusts import hover_thrusts, thrust_table
 from springback.sensing.perfect import PerfectMemory, PerfectState
 from springback.settings import problem

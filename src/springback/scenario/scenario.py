@@ -28,6 +28,7 @@ from springback.scenario.checks import (
     check_start,
     check_tables,
 )
+from springback.scenario.flight_kernels import compile_early
 from springback.scenario.model import flight_model, start_state, true_airframe, true_vehicle
 from springback.scenario.presets import expand_presets as expand_presets
 from springback.scenario.presets import merge as merge
@@ -60,6 +61,7 @@ class Scenario(ScenarioTables):
         if reads and self.simulation.record_interval > 0.0:
             what = "must be 0: without a pilot, sensors are read from every step"
             raise problem(what, "simulation.record_interval")
+        compile_early(self, guided=bool(own) or self.reference is not None)
         if self.reference is None and given is None and not own:  # a pilot may be given later
             check_tables(self, self.parts)
             check_sensors(self)

@@ -28,7 +28,7 @@ from springback.kernels.frozen import frozen_digest
 from springback.kernels.layout import Buffer, TreeLayout, row_of, rows
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
-from springback.simulation.executor import TrajectoryLog, advance, has_space
+from springback.simulation.executor import TrajectoryLog, advance, has_space, to_tick
 from springback.simulation.lanes import Shape, buffer_rows, empty_groups, lanes_of, places
 from springback.simulation.measuring.record import (
     FLYING,
@@ -307,6 +307,44 @@ def entry_for(model: Model, executor: Executor = "compiled") -> Any:
     if executor == "python":
         return plain
     return user_executor(plain, sources(own), nogil=True) if own else advance
+
+
+def fly_to_end(
+    shape: TreeLayout,
+    buffers: Buffer,
+    lanes: tuple[int, ...],
+    log: TrajectoryLog,
+    budget: int,
+    early: float,
+) -> None:
+    """Call of `fly_one` to its executor, for another process that compiles it."""
+    advance(shape, buffers, lanes, log, budget, early)
+
+
+def fly_between_ticks(
+    shape: TreeLayout,
+    buffers: Buffer,
+    lanes: tuple[int, ...],
+    log: TrajectoryLog,
+    budget: int,
+    early: float,
+) -> None:
+    """Call of a flight with avionics to its executor, whose budget the compiler knows."""
+    to_tick(shape, buffers, lanes, log, SLICE, early)
+
+
+def executor_arguments(model: Model, start: State) -> tuple[Any, ...]:
+    """Arguments of these two for one flight."""
+    shape = shape_of(model, start)
+    log = empty_log(LOG_ROWS, 1 + rows(shape.motion) + rows(shape.seen))
+    return (
+        TreeLayout(shape),
+        flight_buffers(shape, [model], [start], 1),
+        lanes_of(1),
+        log,
+        SLICE,
+        0.0,
+    )
 
 
 def fly_one(

@@ -45,7 +45,7 @@ from springback.results.sealed_json import digest_of
 from springback.scenario.code_files import code_digests, code_names, file_digests
 from springback.scenario.presets import vehicle_table
 from springback.scenario.scenario import Scenario, merge, preset, scenario_from
-from springback.scenario.trust import check_trusted
+from springback.scenario.user.trust import check_trusted
 from springback.scenario.worlds.imported import world_files
 from springback.settings import Settings
 from springback.simulation.measuring.measures import FAILURES, Outcome

@@ -296,8 +296,8 @@ def trust(folder: Path | None, remove: bool, terminal: Terminal) -> None:
     springback trust --remove .
     """
     from springback.errors import InputError
-    from springback.scenario.trust import trust as trust_folder
-    from springback.scenario.trust import trusted_folders
+    from springback.scenario.user.trust import trust as trust_folder
+    from springback.scenario.user.trust import trusted_folders
 
     if folder is None and remove:
         raise InputError("FOLDER is missing: the folder to trust no longer")

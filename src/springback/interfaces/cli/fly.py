@@ -96,6 +96,7 @@ def fly(
     from springback.interfaces.reports.flight_files import FLIGHT_FILES, write_flight
     from springback.results.flight import fly as fly_scenario
     from springback.scenario.files import as_input, read_scenario
+    from springback.scenario.flight_kernels import flights_compiled_early
     from springback.scenario.user.pilots import read_pilot
     from springback.scenario.warnings import scenario_warnings
     from springback.scenario.worlds.mesh_check import telling
@@ -112,6 +113,7 @@ def fly(
             raise InputError(f"--{_OPTIONS.get(name, name)}: needs --against")
     own = read_pilot(pilot) if pilot else None
     label = "reading; distances of new kinds of scene are compiled, grids of new meshes computed"
+    click.get_current_context().with_resource(flights_compiled_early())
     with output.spinner(label) as tell, telling(tell):
         ready = read_scenario(scenario, overrides, pilot=own is not None)
     with output.folder(FLIGHT_FILES) as folder:

@@ -21,6 +21,8 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
+import numba
+
 from springback.errors import InputError
 from springback.kernels.compiler import compile_uncached, is_in_cache
 
@@ -48,6 +50,24 @@ def compile_with_help(entry: Any, part: Callable[..., None], arguments: tuple[An
             return
         with _compiled_elsewhere(part, signature):
             entry.compile(signature)
+
+
+@contextmanager
+def compiled_meanwhile(part: Callable[..., None], arguments: tuple[Any, ...]) -> Iterator[None]:
+    """Context in which another process compiles what a function calls, if it may have help.
+
+    Args:
+        part: Function in a module, which calls entry points.
+        arguments: With which it would be called.
+
+    Raises:
+        InputError: If the environment says how many processes compile, and that is no number.
+    """
+    if not _may_have_help():
+        yield
+        return
+    with _compiled_elsewhere(part, tuple(map(numba.typeof, arguments))):
+        yield
 
 
 def _may_have_help() -> bool:
