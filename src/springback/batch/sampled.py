@@ -13,17 +13,17 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from springback.batch.templates import BuiltGroup, ScenarioGroup, built_groups
+from springback.batch.templates import BuiltGroup, KnownFormulas, built_groups
 from springback.errors import InputError
 from springback.kernels.compiler import no_collection
 from springback.kernels.layout import Buffer, TreeLayout, row_of, rows, structure
 from springback.kernels.trees import names
 from springback.scenario.build import ReadyFlight
 from springback.scenario.scenario import scenario_from
-from springback.simulation.flight import LANES, SLICE, empty_log, entry_for
-from springback.simulation.lanes import places
+from springback.simulation.flight import LANES, SLICE, empty_log
+from springback.simulation.lanes import lanes_of, places
 from springback.simulation.loading import Loader
-from springback.simulation.measuring.record import FLYING
+from springback.simulation.sampling import Instants, StateRows, sampler_for
 from springback.simulation.thrusts import ThrustTable
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -55,6 +55,7 @@ def sampled_flights(
     *,
     thrust_factors: Any = None,
     threads: int = 1,
+    known: KnownFormulas | None = None,
 ) -> StateSamples:
     """Fly scenarios without avionics, and read their states at some instants.
 
@@ -65,6 +66,8 @@ def sampled_flights(
         thrust_factors: Factor of all thrusts of each flight, shape (flights,); None: 1.
         threads: More than one help only where a flight takes long from instant to instant: else
             they wait for each other.
+        known: Formulas of earlier flights that differ in numbers only, for which they are built in
+            a fraction of the time; those of these flights are added.
 
     Raises:
         InputError: If all of them are refused, with the first problem.
@@ -73,7 +76,7 @@ def sampled_flights(
     factors = np.ones(len(tables)) if thrust_factors is None else np.asarray(thrust_factors, float)
     problems: list[InputError] = []
     with no_collection():
-        built = _built(tables, problems)
+        built = _built(tables, problems, known or KnownFormulas())
         if not built:
             raise problems[0]
         kinds = _kinds(built)
@@ -127,7 +130,9 @@ def _flown(
     return np.asarray(seen.transpose(1, 3, 0, 2).reshape(-1, len(at), seen.shape[2]))
 
 
-def _built(tables: Sequence[Mapping[str, Any]], problems: list[InputError]) -> list[BuiltGroup]:
+def _built(
+    tables: Sequence[Mapping[str, Any]], problems: list[InputError], known: KnownFormulas
+) -> list[BuiltGroup]:
     """Flights built together, or one by one where they cannot be."""
 
     def one(number: int) -> ReadyFlight:
@@ -137,13 +142,15 @@ def _built(tables: Sequence[Mapping[str, Any]], problems: list[InputError]) -> l
             problems.append(error)
             raise
 
-    group, alone = ScenarioGroup(0, tables[0]), []
+    group = known.group(0, tables[0])
     for number in range(1, len(tables)):
-        if not group.takes(number, tables[number]):
-            alone.append(number)
-    found = list(built_groups(group, lambda number: [], one))
+        group.takes(number, tables[number])
+    found = list(known.build(group))
+    for built in built_groups(group, lambda number: [], one):
+        known.add(built.formulas)
+        found.append(built)
     done = {number for built in found for number in built.flights}
-    for number in sorted({*group.flights, *alone} - done):
+    for number in sorted({*range(len(tables))} - done):
         with suppress(InputError):
             found.append(BuiltGroup([number], one(number)))
     return found
@@ -160,31 +167,18 @@ def _fly_part(
     """Fly some groups from instant to instant."""
     first, last = int(part[0]), int(part[-1]) + 1
     buffers: Buffer = laid.buffers[first:last]
-    shape, like, run = laid.shape, TreeLayout(laid.shape), entry_for(laid.model)
-    where = places(shape, LANES)
-    lanes: Any = buffers.reshape(len(buffers), -1, LANES)
-    until = row_of(shape.model, "timing")
-    thrust, ramp = row_of(shape.model, "thrust"), row_of(shape.model, "ramp")
-    motion, count = where.motion, rows(shape.motion.state)
-    factor = scale[first:last]
-    given: Array | None = None
+    shape, where = laid.shape, places(laid.shape, LANES)
+    thrust, factors = row_of(shape.model, "thrust"), scale[first:last]
+    count = len(laid.model.thrust)
     if thrusts is None:
-        lanes[:, thrust : thrust + len(laid.model.thrust)] *= factor[:, None]
-    else:
-        given = thrusts.at(at)
-    for k, time in enumerate(at):
-        if time > 0.0:
-            lanes[:, until] = time
-            if given is not None and k:
-                begin, end = given[k - 1], given[k]
-                slope = (end - begin) / (time - at[k - 1])
-                lanes[:, thrust : thrust + len(begin)] = begin[None, :, None] * factor[:, None]
-                lanes[:, ramp] = at[k - 1]
-                lanes[:, ramp + 1 : ramp + 1 + len(slope)] = slope[None, :, None] * factor[:, None]
-                lanes[:, where.step] = 0.0  # thrusts have a kink here: no peak is interpolated
-            while run(like, buffers, (0,) * LANES, empty_log(), SLICE, 1.0):
-                pass
-        seen[k, first:last] = lanes[:, motion : motion + count]
-        lost = lanes[:, where.status] != FLYING
-        if lost.any():
-            seen[k, first:last] = np.where(lost[:, None], np.nan, seen[k, first:last])
+        lanes: Any = buffers.reshape(len(buffers), -1, LANES)
+        lanes[:, thrust : thrust + count] *= factors[:, None]
+    given = np.zeros((0, count)) if thrusts is None else np.ascontiguousarray(thrusts.at(at))
+    rows_read = StateRows(
+        until=row_of(shape.model, "timing"), thrust=thrust, ramp=row_of(shape.model, "ramp"),
+        state=where.motion, width=rows(shape.motion.state), status=where.status, step=where.step,
+    )  # fmt: skip
+    sampler_for(laid.model)(
+        TreeLayout(shape), buffers, lanes_of(LANES), empty_log(), SLICE,
+        Instants(at, given, factors), rows_read, seen[:, first:last],
+    )  # fmt: skip

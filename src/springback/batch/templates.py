@@ -7,6 +7,7 @@ through these functions, and each gets the bits that it gets alone.
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -26,6 +27,8 @@ from springback.simulation.loading import NO_LEAVES, Leaves
 FEW = 8
 #: Groups of fewer that may take branches of their own before the rest is built one by one (chosen).
 MOST_SMALL = 4
+#: Most formulas that are kept for later flights (chosen).
+MOST_FORMULAS = 4
 
 
 class Template:
@@ -84,6 +87,18 @@ class ScenarioGroup:
         self.rows: list[list[float]] = [self.template.own]
         self.flights = [number]
 
+    def like(self, number: int, first: Mapping[str, Any]) -> ScenarioGroup | None:
+        """Another group that begins with a flight; None if that does not match those of this."""
+        other = copy.copy(self)
+        other.rows, other.flights = [], []
+        return other if other.takes(number, first) else None
+
+    def drop(self, flights: Sequence[int]) -> None:
+        """Remove some flights."""
+        dropped = set(flights)
+        kept = [k for k, number in enumerate(self.flights) if number not in dropped]
+        self.rows, self.flights = [self.rows[k] for k in kept], [self.flights[k] for k in kept]
+
     def takes(self, number: int, tables: Mapping[str, Any]) -> bool:
         """Add a flight if it matches the others; True if it does."""
         found: list[float] = []
@@ -116,6 +131,82 @@ class BuiltGroup(NamedTuple):
     """Leaves of model and start that differ from the first."""
     onboard: Leaves = NO_LEAVES
     """Leaves of the on-board state that differ from the first."""
+    formulas: FlightFormulas | None = None
+    """By which they were built."""
+
+
+class FlightFormulas:
+    """Formulas of a traced flight."""
+
+    def __init__(self, tape: Tape, moving: Any, first: ReadyFlight, trees: Sequence[Any]) -> None:
+        """Formulas on a tape.
+
+        Args:
+            tape: Of the flight.
+            moving: True for the numbers of its tables that were traced.
+            first: The flight of its first row, built alone.
+            trees: The traced flight and its on-board state.
+        """
+        self._tape, self._moving, self._first = tape, moving, first
+        self._fixed = np.array([x.value for x in tape.first])[~moving]
+        self._cells = [
+            [(k, x.number) for k, x in enumerate(leaves(tree)) if isinstance(x, Traced)]
+            for tree in trees
+        ]
+
+    def build(self, group: ScenarioGroup) -> BuiltGroup | None:
+        """Flights of a group that take the same branches; None if there are none."""
+        rows = np.array(group.rows)
+        if rows[:, ~self._moving].tobytes() != np.tile(self._fixed, (len(rows), 1)).tobytes():
+            return None
+        columns, holds = self._tape.replay(rows)
+        return self.group_of(np.array(group.flights), columns, np.flatnonzero(holds))
+
+    def group_of(self, flights: Any, columns: Sequence[Any], held: Any) -> BuiltGroup | None:
+        """Group of some flights, by what a tape has for them; None of none.
+
+        Args:
+            flights: Their numbers, and those of others.
+            columns: Of the tape, by number.
+            held: Rows of those that take the same branches.
+        """
+        if not len(held):
+            return None
+        flown, onboard = (
+            ([k for k, _ in cells],
+             np.array([columns[n][held] for _, n in cells]).reshape(len(cells), len(held)).T)
+            for cells in self._cells
+        )  # fmt: skip
+        return BuiltGroup(flights[held].tolist(), self._first, flown, onboard, self)
+
+
+class KnownFormulas:
+    """Formulas by which flights were built: later ones of the same template need no tables read."""
+
+    def __init__(self) -> None:
+        """None yet."""
+        self._group: ScenarioGroup | None = None
+        self._found: list[FlightFormulas] = []
+
+    def group(self, number: int, first: Mapping[str, Any]) -> ScenarioGroup:
+        """Group that begins with a flight; if it is of another template, all is forgotten."""
+        group = None if self._group is None else self._group.like(number, first)
+        if group is None:
+            self._group = group = ScenarioGroup(number, first)
+            self._found.clear()
+        return group
+
+    def add(self, formulas: FlightFormulas | None) -> None:
+        """Add formulas, unless there are many: then flights take ever other branches."""
+        if formulas is not None and len(self._found) < MOST_FORMULAS:
+            self._found.append(formulas)
+
+    def build(self, group: ScenarioGroup) -> Iterator[BuiltGroup]:
+        """Flights of a group that can be built by known formulas; they are taken from it."""
+        for formulas in self._found:
+            if group.flights and (built := formulas.build(group)) is not None:
+                group.drop(built.flights)
+                yield built
 
 
 def built_groups(
@@ -164,8 +255,10 @@ def _built(
 ) -> BuiltGroup | None:
     """Flights that take the same branches as the first of some; None if they cannot be traced."""
     bits = numbers.view(np.int64)  # −0 is not 0
-    tape, differs = Tape(numbers), (bits != bits[0]).any(axis=0).tolist()
-    cells = iter([cell if d else cell.value for cell, d in zip(tape.first, differs, strict=True)])
+    tape, differs = Tape(numbers), (bits != bits[0]).any(axis=0)
+    cells = iter(
+        [cell if d else cell.value for cell, d in zip(tape.first, differs.tolist(), strict=True)]
+    )
     try:
         traced = _traced_flight(template.with_numbers(cells), [*cells])
         held = np.flatnonzero(tape.holds)
@@ -175,8 +268,8 @@ def _built(
     # A function might have used a traced number other than as a float: two flights are compared.
     if not (_agree(traced, 0, first) and _agree(traced, held[-1], last)):
         return None
-    flown, onboard = (_cells(tree, held) for tree in _trees(traced))
-    return BuiltGroup(flights[held].tolist(), first, flown, onboard)
+    formulas = FlightFormulas(tape, differs, first, _trees(traced))
+    return formulas.group_of(flights, tape.columns, held)
 
 
 def _traced_flight(tables: dict[str, Any], normals: Sequence[Any]) -> ReadyFlight:
@@ -186,14 +279,6 @@ def _traced_flight(tables: dict[str, Any], normals: Sequence[Any]) -> ReadyFligh
     traced = build_flight(scenario, named_parts(scenario), Memo(), normals, advises=False)
     first_phase(traced.model, traced.start)
     return traced
-
-
-def _cells(tree: Any, rows: Any) -> Leaves:
-    """Positions of traced numbers in a tree, and their values in some rows."""
-    found: list[Any] = leaves(tree)
-    cells = {k: x for k, x in enumerate(found) if isinstance(x, Traced)}
-    columns = [x.column[rows] for x in cells.values()]
-    return [*cells], np.array(columns).reshape(len(cells), len(rows)).T
 
 
 def _agree(traced: ReadyFlight, row: int, plain: ReadyFlight) -> bool:

@@ -8,6 +8,9 @@ sines and searches, are marked `traceable`, and called for every row.
 
 Every row gets the bits that the function would return for it, as the columns are computed by the
 operations of IEEE 754, one by one, or by the standard library's own functions.
+
+A tape also keeps what was done, and does it again for other rows, without the function
+(`Tape.replay`).
 """
 
 from __future__ import annotations
@@ -18,7 +21,7 @@ import math
 import operator
 import struct
 from collections.abc import Callable, Iterator
-from typing import Any, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -32,6 +35,15 @@ NO_FORMULA = (TypeError, AttributeError, struct.error)
 _NODES = (tuple, list)
 
 
+class ReplayedRows(NamedTuple):
+    """Other rows of a tape."""
+
+    columns: list[Column]
+    """Values of all its numbers, by `Traced.number`."""
+    holds: Any
+    """True for rows that give the answers of the tape's first row."""
+
+
 class Tape:
     """Rows of numbers on which a function is traced."""
 
@@ -39,34 +51,96 @@ class Tape:
         """Start a tape for rows, shape (rows, columns)."""
         self.holds = np.ones(len(rows), dtype=bool)
         """True for rows that give the first row's answers; the others' values are undefined."""
+        self.columns: list[Column] = []
+        """Values of all numbers, by `Traced.number`."""
+        self._done: list[Callable[[list[Column], Any], None]] = []
         self.first = [
-            Traced(self, column, value)
-            for column, value in zip(rows.T, rows[0].tolist(), strict=True)
+            self.cell(column, value) for column, value in zip(rows.T, rows[0].tolist(), strict=True)
         ]
         """Cells for the numbers of the first row."""
 
+    def cell(self, column: Column, value: float) -> Traced:
+        """A number with its values in all rows, and in the first."""
+        self.columns.append(column)
+        return Traced(self, column, value, len(self.columns) - 1)
+
     def record(self, many: Callable[..., Any], value: float, *operands: Any) -> Traced:
         """Result of an operation on columns, with its value in the first row."""
-        return Traced(self, self._evaluate(many, operands), value)
+        taken = _taken(operands)
+        self._done.append(lambda columns, holds: columns.append(many(*taken(columns))))
+        return self.cell(self._evaluate(many, operands), value)
 
     def guard(self, many: Callable[..., Any], outcome: bool, *operands: Any) -> bool:
         """Record a comparison; returns its result in the first row."""
+        taken = _taken(operands)
+
+        def again(columns: list[Column], holds: Any) -> None:
+            holds &= many(*taken(columns)) == outcome
+
+        self._done.append(again)
         self.holds &= self._evaluate(many, operands) == outcome
         return outcome
+
+    def record_rows(
+        self, compute: Callable[[list[list[float]], Any], Column], given: list[Traced], first: Any
+    ) -> list[Any]:
+        """Floats that a function gives for each row that holds: cells where rows differ.
+
+        Args:
+            compute: Takes the values of numbers, each for all rows, and which rows hold, which it
+                updates; returns floats, shape (rows, floats).
+            given: The numbers.
+            first: The floats of the first row.
+        """
+        block = compute([x.column.tolist() for x in given], self.holds)
+        alike, places = _same_bits(block, block[:1]).all(axis=0), [x.number for x in given]
+        moving = np.flatnonzero(~alike)
+
+        def again(columns: list[Column], holds: Any) -> None:
+            found = compute([columns[k].tolist() for k in places], holds)
+            holds &= _same_bits(found, block[:1])[:, alike].all(axis=1)
+            columns.extend(found[:, k] for k in moving)
+
+        self._done.append(again)
+        return [x if same else self.cell(block[:, k], x)
+                for k, (x, same) in enumerate(zip(first, alike.tolist(), strict=True))]  # fmt: skip
+
+    def replay(self, rows: Column) -> ReplayedRows:
+        """Do for other rows what was recorded for those of the tape.
+
+        Args:
+            rows: Shape (rows, columns).
+        """
+        found = ReplayedRows([*rows.T], np.ones(len(rows), dtype=bool))
+        with np.errstate(all="ignore"):
+            for again in self._done:
+                again(*found)
+        return found
 
     def _evaluate(self, many: Callable[..., Any], operands: tuple[Any, ...]) -> Any:
         with np.errstate(all="ignore"):  # rows for which the comparisons differ may overflow
             return many(*(x.column if isinstance(x, Traced) else x for x in operands))
 
 
+def _taken(operands: tuple[Any, ...]) -> Callable[[list[Column]], list[Any]]:
+    """Function that takes operands from columns: those that are traced, by their numbers."""
+    places = [(x.number, x) if isinstance(x, Traced) else (-1, x) for x in operands]
+    return lambda columns: [columns[k] if k >= 0 else x for k, x in places]
+
+
+def _same_bits(a: Column, b: Column) -> Any:
+    """Where two arrays have the same bits: −0 is not 0."""
+    return np.ascontiguousarray(a).view(np.int64) == np.ascontiguousarray(b).view(np.int64)
+
+
 class Traced:
     """A traced number."""
 
-    __slots__ = ("column", "tape", "value")
+    __slots__ = ("column", "number", "tape", "value")
 
-    def __init__(self, tape: Tape, column: Column, value: float) -> None:
-        """Number with its values in all rows of a tape, and in the first."""
-        self.tape, self.column, self.value = tape, column, value
+    def __init__(self, tape: Tape, column: Column, value: float, number: int) -> None:
+        """Number with its values in all rows of a tape, and in the first, and its place there."""
+        self.tape, self.column, self.value, self.number = tape, column, value, number
 
     def _with(
         self, other: Any, many: Callable[..., Any], one: Callable[..., Any], turned: bool = False
@@ -187,32 +261,38 @@ def _by_row(function: Callable[..., R], given: Any, traced: list[Traced]) -> Any
     floats, rest = _sorted_leaves(first)
     if any(isinstance(x, Traced) for x in rest):
         raise TypeError(f"{function.__name__} knows traced numbers that it was not given")
-    rows = zip(*(x.column.tolist() for x in traced), strict=True)
-    block, holds = np.tile(floats, (len(tape.holds), 1)), np.zeros(len(tape.holds), dtype=bool)
-    for k, row in enumerate(rows):
-        with contextlib.suppress(ValueError, ArithmeticError):
-            found = _sorted_leaves(function(*fill(iter(row)))) if tape.holds[k] else ([], [])
-            if found[1] == rest:
-                block[k], holds[k] = found[0], True
-    tape.holds &= holds
-    bits = block.view(np.int64)  # −0 is not 0
-    differs = (bits != bits[0]).any(axis=0).tolist()
-    cells = [Traced(tape, block[:, k], x) if differs[k] else x for k, x in enumerate(floats)]
-    return _filler(first, float)(iter(cells))
+
+    def compute(columns: list[list[float]], holds: Any) -> Column:
+        block, known = np.tile(floats, (len(holds), 1)), np.zeros(len(holds), dtype=bool)
+        for k, row in enumerate(zip(*columns, strict=True)):
+            with contextlib.suppress(ValueError, ArithmeticError):
+                found = _sorted_leaves(function(*fill(iter(row)))) if holds[k] else ([], [])
+                if found[1] == rest:
+                    block[k], known[k] = found[0], True
+        holds &= known
+        return block
+
+    return _filler(first, float)(iter(tape.record_rows(compute, traced, floats)))
 
 
 def _number_by_row(function: Callable[..., Any], given: Any, tape: Tape, first: Any) -> Any:
     """The same where all that is given, and the result, are numbers, as for a sine."""
-    found, holds = np.full(len(tape.holds), first), np.zeros(len(tape.holds), dtype=bool)
-    columns = (x.column.tolist() if isinstance(x, Traced) else [x] * len(found) for x in given)
-    for k, row in enumerate(zip(*columns, strict=True)):
-        with contextlib.suppress(ValueError, ArithmeticError):
-            one = function(*row) if tape.holds[k] else None
-            if type(one) is float:
-                found[k], holds[k] = one, True
-    tape.holds &= holds
-    bits = found.view(np.int64)  # −0 is not 0
-    return Traced(tape, found, first) if (bits != bits[0]).any() else first
+    moving = [isinstance(x, Traced) for x in given]
+
+    def compute(columns: list[list[float]], holds: Any) -> Column:
+        found, known = np.full((len(holds), 1), first), np.zeros(len(holds), dtype=bool)
+        each = iter(columns)
+        asked = (next(each) if m else [x] * len(found) for x, m in zip(given, moving, strict=True))
+        for k, row in enumerate(zip(*asked, strict=True)):
+            with contextlib.suppress(ValueError, ArithmeticError):
+                one = function(*row) if holds[k] else None
+                if type(one) is float:
+                    found[k], known[k] = one, True
+        holds &= known
+        return found
+
+    [result] = tape.record_rows(compute, [x for x in given if isinstance(x, Traced)], [first])
+    return result
 
 
 def _sorted_leaves(tree: Any) -> tuple[list[float], list[Any]]:

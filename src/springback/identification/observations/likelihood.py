@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from springback.batch.sampled import StateSamples, sampled_flights
+from springback.batch.templates import KnownFormulas
 from springback.errors import InputError
 from springback.identification.observations.channel_window import ChannelWindow
 from springback.identification.observations.noise import STUDENT, residuals_in_bins
@@ -135,7 +136,7 @@ class ImpactProblem:
         self.together: JointPrior | None = None
         #: Flights flown so far.
         self.flown = 0
-        self._width = 0
+        self._width, self._formulas = 0, KnownFormulas()
 
     # -- unknowns ---------------------------------------------------------------------------------
 
@@ -225,7 +226,9 @@ class ImpactProblem:
         if "thrust factor" in self.place:
             factors = self._columns(u[firsts], "thrust factor")[:, 0]
         self.flown += len(tables)
-        samples = sampled_flights(tables, self.grid, thrust_factors=factors)
+        samples = sampled_flights(
+            tables, self.grid, thrust_factors=factors, known=self._formulas
+        )  # fmt: skip
         return samples, which.reshape(-1)
 
     def flight_tables(self, u: Array) -> dict[str, Any]:
