@@ -98,12 +98,12 @@ def test_a_fit_ends_where_one_from_the_truth_does() -> None:
 
 
 def test_more_starts_are_tried_where_all_end_far_from_the_data() -> None:
-    """Of this set, 8 starts end at 25 times the cost of noise or more."""
+    """Of this set, with these points, 4 starts end at 8 times the cost of noise or more."""
     problem, _ = synthetic(40)
     told: list[str] = []
-    found = fit_impact(problem, starts=8, seed=0, profiles=False, tell=told.append)
-    assert found.starts > 8
-    assert any("search from 8 further starts, round 1 of" in words for words in told)
+    found = fit_impact(problem, starts=4, seed=3, profiles=False, tell=told.append)
+    assert found.starts > 4
+    assert any("search from 4 further starts, round 1 of" in words for words in told)
     assert found.cost < 1.2 * len(found.jacobian)
 
 

@@ -189,6 +189,47 @@ def test_rows_that_do_not_hold_are_not_searched() -> None:
     assert set(asked) == {1.0, 2.0}
 
 
+@pytest.mark.parametrize("function", [arithmetic, roots_and_angles, vectors])
+def test_other_rows_replayed_are_those_of_the_function(function: Function) -> None:
+    cell, tape = worked_out(function)
+    others = np.random.default_rng(6).normal(size=(7, 3))
+    columns, holds = tape.replay(others)
+    again = [function(*row) for row in others.tolist()]
+    assert holds.all()
+    assert columns[cell.number].tolist() == again
+
+
+def test_rows_replayed_hold_that_take_the_same_branches() -> None:
+    """A comparison, a division by zero, and a function that raises or returns another kind."""
+
+    def branched(a: Any, b: Any) -> Any:
+        found = a / b if a > 1.0 else a * b
+        return found + traceable(lambda x: math.sqrt(x) if x < 9.0 else round(x))(b)
+
+    tape = Tape(np.array([[2.0, 1.0], [3.0, 4.0]]))
+    cell = branched(*tape.first)
+    rows = np.array([[5.0, 4.0], [0.5, 4.0], [5.0, 0.0], [5.0, -1.0], [5.0, 16.0], [1.5, 1.0]])
+    columns, holds = tape.replay(rows)
+    assert holds.tolist() == [True, False, False, False, False, True]
+    assert columns[cell.number][holds].tolist() == [branched(5.0, 4.0), branched(1.5, 1.0)]
+
+
+def test_a_number_that_all_first_rows_share_must_be_shared_by_others() -> None:
+    """What did not differ is a constant of what follows."""
+    tape = Tape(np.array([[1.0], [2.0]]))
+    assert traceable(lambda x: math.copysign(2.0, x))(tape.first[0]) == 2.0
+    assert tape.replay(np.array([[3.0], [-3.0]])).holds.tolist() == [True, False]
+
+
+def test_what_is_done_twice_is_recorded_once() -> None:
+    """But −0 is not 0: x + 0 differs from x + (−0) where x is −0."""
+    tape = Tape(np.array([[1.0], [-0.0]]))
+    [x] = tape.first
+    assert x + 1.0 is x + 1.0
+    assert math.copysign(1.0, (x + 0.0).column[1]) == 1.0
+    assert math.copysign(1.0, (x + -0.0).column[1]) == -1.0
+
+
 @pytest.mark.parametrize(
     "asks_more",
     [

@@ -64,8 +64,7 @@ def sampled_flights(
             numbers only; with thrusts over time, all with the same.
         times: Instants [s], increasing, from 0; ``simulation.duration`` is not used.
         thrust_factors: Factor of all thrusts of each flight, shape (flights,); None: 1.
-        threads: More than one help only where a flight takes long from instant to instant: else
-            they wait for each other.
+        threads: At most so many fly, each some groups.
         known: Formulas of earlier flights that differ in numbers only, for which they are built in
             a fraction of the time; those of these flights are added.
 
@@ -118,7 +117,7 @@ def _flown(
     """States of the flights of one kind, and of those that fill the lanes."""
     spare = -len(factors) % LANES
     scale = np.concatenate([factors, np.ones(spare)]).reshape(-1, LANES)
-    seen = np.empty((len(at), len(laid.buffers), rows(laid.shape.motion.state), LANES))
+    seen = np.empty((len(laid.buffers), len(at), rows(laid.shape.motion.state), LANES))
     workers = min(threads, len(laid.buffers))
     parts = np.array_split(np.arange(len(laid.buffers)), workers)
     if workers == 1:
@@ -127,7 +126,7 @@ def _flown(
         with ThreadPoolExecutor(workers) as pool:
             for _ in pool.map(lambda part: _fly_part(laid, part, at, thrusts, scale, seen), parts):
                 pass
-    return np.asarray(seen.transpose(1, 3, 0, 2).reshape(-1, len(at), seen.shape[2]))
+    return np.asarray(seen.transpose(0, 3, 1, 2).reshape(-1, len(at), seen.shape[2]))
 
 
 def _built(
@@ -180,5 +179,5 @@ def _fly_part(
     )  # fmt: skip
     sampler_for(laid.model)(
         TreeLayout(shape), buffers, lanes_of(LANES), empty_log(), SLICE,
-        Instants(at, given, factors), rows_read, seen[:, first:last],
+        Instants(at, given, factors), rows_read, seen[first:last],
     )  # fmt: skip

@@ -149,9 +149,9 @@ class FlightFormulas:
         """
         self._tape, self._moving, self._first = tape, moving, first
         self._fixed = np.array([x.value for x in tape.first])[~moving]
+        found: list[list[Any]] = [leaves(tree) for tree in trees]
         self._cells = [
-            [(k, x.number) for k, x in enumerate(leaves(tree)) if isinstance(x, Traced)]
-            for tree in trees
+            [(k, x.number) for k, x in enumerate(cells) if isinstance(x, Traced)] for cells in found
         ]
 
     def build(self, group: ScenarioGroup) -> BuiltGroup | None:

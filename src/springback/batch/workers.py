@@ -31,6 +31,14 @@ def single_threads() -> Iterator[None]:
                 os.environ[name] = value
 
 
+def own_threads() -> int:
+    """Threads that this process may use: one if it is a worker, else as many as cores are free."""
+    if multiprocessing.parent_process() is not None:
+        return 1
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
+    return cores or 1
+
+
 def end_with_parent() -> None:
     """End this worker process as soon as the process that started it has ended, however it did.
 

@@ -315,8 +315,9 @@ class FitPlan(Settings):
     method: Literal["laplace", "emcee"] = "laplace"
     """How ``posterior.parquet`` is drawn: by the normal approximation at the optimum, or by Monte
     Carlo (extra ``mcmc``) if the posterior is curved or cut off; that takes minutes."""
-    starts: Annotated[int, Field(ge=1, le=64, strict=True)] = 8
-    """Number of starts of the search, from a Sobol' sequence."""
+    starts: Annotated[int, Field(ge=1, le=64, strict=True)] = 4
+    """Number of starts of the search: those nearest to the data of eight times as many points of a
+    Sobol' sequence."""
     seed: Annotated[int, Field(ge=0, strict=True)] = 0
     """Seed of the scrambling of the starts, and of draws from the posterior."""
 

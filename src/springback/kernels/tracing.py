@@ -44,6 +44,16 @@ class ReplayedRows(NamedTuple):
     """True for rows that give the answers of the tape's first row."""
 
 
+class _Step(NamedTuple):
+    """What is done with columns."""
+
+    many: Callable[..., Any]
+    """An operation or a comparison; without operands, takes all columns so far, and which hold."""
+    operands: tuple[tuple[int | None, float], ...] | None = None
+    outcome: bool | None = None
+    """Of a comparison, in the first row."""
+
+
 class Tape:
     """Rows of numbers on which a function is traced."""
 
@@ -53,7 +63,8 @@ class Tape:
         """True for rows that give the first row's answers; the others' values are undefined."""
         self.columns: list[Column] = []
         """Values of all numbers, by `Traced.number`."""
-        self._done: list[Callable[[list[Column], Any], None]] = []
+        self._steps: list[_Step] = []
+        self._known: dict[Any, Any] = {}
         self.first = [
             self.cell(column, value) for column, value in zip(rows.T, rows[0].tolist(), strict=True)
         ]
@@ -66,19 +77,21 @@ class Tape:
 
     def record(self, many: Callable[..., Any], value: float, *operands: Any) -> Traced:
         """Result of an operation on columns, with its value in the first row."""
-        taken = _taken(operands)
-        self._done.append(lambda columns, holds: columns.append(many(*taken(columns))))
-        return self.cell(self._evaluate(many, operands), value)
+        taken = _operands(operands)
+        key = many, taken, tuple(math.copysign(1.0, x) for _, x in taken)  # −0 is not 0
+        if key not in self._known:
+            self._steps.append(_Step(many, taken))
+            self._known[key] = self.cell(self._evaluate(many, operands), value)
+        result: Traced = self._known[key]
+        return result
 
     def guard(self, many: Callable[..., Any], outcome: bool, *operands: Any) -> bool:
         """Record a comparison; returns its result in the first row."""
-        taken = _taken(operands)
-
-        def again(columns: list[Column], holds: Any) -> None:
-            holds &= many(*taken(columns)) == outcome
-
-        self._done.append(again)
-        self.holds &= self._evaluate(many, operands) == outcome
+        step = _Step(many, _operands(operands), outcome)
+        if step not in self._known:
+            self._known[step] = outcome
+            self._steps.append(step)
+            self.holds &= self._evaluate(many, operands) == outcome
         return outcome
 
     def record_rows(
@@ -101,7 +114,7 @@ class Tape:
             holds &= _same_bits(found, block[:1])[:, alike].all(axis=1)
             columns.extend(found[:, k] for k in moving)
 
-        self._done.append(again)
+        self._steps.append(_Step(again))
         return [x if same else self.cell(block[:, k], x)
                 for k, (x, same) in enumerate(zip(first, alike.tolist(), strict=True))]  # fmt: skip
 
@@ -111,21 +124,27 @@ class Tape:
         Args:
             rows: Shape (rows, columns).
         """
-        found = ReplayedRows([*rows.T], np.ones(len(rows), dtype=bool))
+        columns, holds = [*rows.T], np.ones(len(rows), dtype=bool)
         with np.errstate(all="ignore"):
-            for again in self._done:
-                again(*found)
-        return found
+            for many, operands, outcome in self._steps:
+                if operands is None:
+                    many(columns, holds)
+                    continue
+                found = many(*[x if k is None else columns[k] for k, x in operands])
+                if outcome is None:
+                    columns.append(found)
+                else:
+                    holds &= found == outcome
+        return ReplayedRows(columns, holds)
 
     def _evaluate(self, many: Callable[..., Any], operands: tuple[Any, ...]) -> Any:
         with np.errstate(all="ignore"):  # rows for which the comparisons differ may overflow
             return many(*(x.column if isinstance(x, Traced) else x for x in operands))
 
 
-def _taken(operands: tuple[Any, ...]) -> Callable[[list[Column]], list[Any]]:
-    """Function that takes operands from columns: those that are traced, by their numbers."""
-    places = [(x.number, x) if isinstance(x, Traced) else (-1, x) for x in operands]
-    return lambda columns: [columns[k] if k >= 0 else x for k, x in places]
+def _operands(given: tuple[Any, ...]) -> tuple[tuple[int | None, float], ...]:
+    """Operands of an operation: those that are traced by their numbers, others by their values."""
+    return tuple((x.number, 0.0) if isinstance(x, Traced) else (None, x) for x in given)
 
 
 def _same_bits(a: Column, b: Column) -> Any:

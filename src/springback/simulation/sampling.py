@@ -58,7 +58,7 @@ def sample(
         budget: Most steps of a call to `springback.simulation.executor.advance`.
         instants: When.
         at: Rows of the buffers.
-        seen: Filled with states, shape (instants, groups, rows, lanes); NaN of flights that were
+        seen: Filled with states, shape (groups, instants, rows, lanes); NaN of flights that were
             lost.
     """
     w, rotors = len(lanes), instants.thrusts.shape[1]
@@ -87,7 +87,7 @@ def sample(
                 is_lost = b[at.status * w + lane] != FLYING
                 for row in range(at.width):
                     value = b[(at.state + row) * w + lane]
-                    seen[k, group, row, lane] = _LOST if is_lost else value
+                    seen[group, k, row, lane] = _LOST if is_lost else value
 
 
 def sampler_for(model: Model) -> Any:

@@ -9,6 +9,7 @@ import numpy as np
 
 from springback.batch.sampled import StateSamples, sampled_flights
 from springback.batch.templates import KnownFormulas
+from springback.batch.workers import own_threads
 from springback.errors import InputError
 from springback.identification.observations.channel_window import ChannelWindow
 from springback.identification.observations.noise import STUDENT, residuals_in_bins
@@ -227,8 +228,8 @@ class ImpactProblem:
             factors = self._columns(u[firsts], "thrust factor")[:, 0]
         self.flown += len(tables)
         samples = sampled_flights(
-            tables, self.grid, thrust_factors=factors, known=self._formulas
-        )  # fmt: skip
+            tables, self.grid, thrust_factors=factors, threads=own_threads(), known=self._formulas
+        )
         return samples, which.reshape(-1)
 
     def flight_tables(self, u: Array) -> dict[str, Any]:
