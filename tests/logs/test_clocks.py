@@ -53,6 +53,7 @@ def test_samples_that_are_out_of_order_by_little_are_sorted_with_their_flags() -
     found = log_channel("log", "imu", SPECIFIC_FORCE, t, values, clipped=flags)
     assert found.times.tolist() == [0.0, 0.01, 0.02, 0.03]
     assert found.values[:, 0].tolist() == [0.0, 6.0, 3.0, 9.0]
+    assert found.disorder == (1, pytest.approx(0.01))
     assert found.clipped is not None
     assert found.clipped[:, 0].tolist() == [False, False, False, True]
 

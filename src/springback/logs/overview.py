@@ -89,7 +89,7 @@ def _overview(recordings: Sequence[Recording]) -> Overview:
     lines = [_line(one, channel) for one in recordings for channel in one.channels]
     remarks = damages(recordings)
     remarks += [f"{one.path.name}: {text}" for one in recordings for text in one.remarks]
-    remarks += [text for one in recordings for text in _losses(one)]
+    remarks += [text for one in recordings for text in (*_losses(one), *_disorder(one))]
     remarks += [
         f"{channel.name}: its times are those of arrival over a link, not of the samples"
         for one in recordings for channel in one.channels if timing(channel).has_arrivals
@@ -128,6 +128,20 @@ def _losses(one: Recording) -> list[str]:
     at, longest = max(one.dropouts, key=lambda entry: entry[1])
     many = f"{len(one.dropouts)} losses, the longest" if len(one.dropouts) > 1 else "a loss"
     return [f"{one.path.name}: its logger noted {many} of {1e3 * longest:.0f} ms at {at:.3f} s"]
+
+
+def _disorder(one: Recording) -> list[str]:
+    """Samples that were not in the order of their times, in a sentence for each channel."""
+    found = []
+    for channel in one.channels:
+        count, latest = channel.disorder
+        if count:
+            what = "1 sample comes" if count == 1 else f"{count} samples come"
+            found.append(
+                f"{one.path.name}: {channel.name}: {what} after a later one, by up to "
+                f"{1e3 * latest:.3g} ms; sorted by their times"
+            )
+    return found
 
 
 def _line(one: Recording, channel: LogChannel) -> ChannelLine:

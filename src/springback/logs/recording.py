@@ -114,6 +114,8 @@ class LogChannel:
     """Samples at which an estimate jumped, shape (samples,)."""
     labels: tuple[str, ...] = ()
     """Names of the markers, or of the parts of the values."""
+    disorder: tuple[int, float] = (0, 0.0)
+    """Samples that came after a later one, and by how much at most [s]; they are sorted."""
 
     @property
     def is_lost(self) -> Flags:
@@ -223,14 +225,17 @@ def log_channel(
         where, name, quantity, at, numbers, clipped, resets
     )
     _check_clock(where, name, at)
-    order = np.argsort(at, kind="stable")
-    if (order != np.arange(len(at))).any():
+    order, late = np.argsort(at, kind="stable"), np.maximum.accumulate(at) - at
+    if (late > 0.0).any():
         at, numbers = at[order], numbers[order]
         clipped = None if clipped is None else np.asarray(clipped)[order]
         resets = None if resets is None else np.asarray(resets)[order]
     flags = None if clipped is None else np.asarray(clipped, dtype=bool).reshape(numbers.shape)
     jumps = None if resets is None else np.asarray(resets, dtype=bool).reshape(len(at))
-    return LogChannel(name, quantity, at, numbers, clipped=flags, resets=jumps, **more)
+    disorder = int((late > 0.0).sum()), float(late.max())
+    return LogChannel(
+        name, quantity, at, numbers, clipped=flags, resets=jumps, disorder=disorder, **more
+    )
 
 
 def _without_wild(

@@ -214,3 +214,16 @@ def test_a_pilot_is_checked_with_its_parameters(tmp_path: Path) -> None:
     assert "its 4 thrusts in hover are 3 to 3 N" in done.stdout
     with pytest.raises(InputError, match="hover does not take a PilotContext, gain"):
         check(f"{path}:hover", "gain=3")
+
+
+def test_a_wrong_field_of_a_fits_plan_is_named_with_its_line(tmp_path: Path) -> None:
+    """As by `identify fit`."""
+    text = (EXAMPLES / "fit.toml").read_text(encoding="utf-8")
+    (tmp_path / "arq_wall.toml").write_text((EXAMPLES / "arq_wall.toml").read_text())
+    wrong = text.replace('"vehicle.body.mass" = "+- 0.5 %"', '"vehicle.body.masss" = "+- 0.5 %"')
+    (tmp_path / "fit.toml").write_text(wrong, encoding="utf-8")
+    line = 1 + wrong[: wrong.index("masss")].count("\n")
+    with pytest.raises(InputError) as refused:
+        check(str(tmp_path / "fit.toml"))
+    [problem] = refused.value.problems
+    assert f"fit.toml:{line}: known.vehicle.body.masss: unknown parameter" in problem

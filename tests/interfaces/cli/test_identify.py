@@ -142,6 +142,16 @@ def test_convert_replaces_nothing_without_force(folder: Path) -> None:
     assert "is the log itself" in str(CliRunner().invoke(cli, same).exception)
 
 
+def test_inspect_says_which_samples_were_out_of_order(tmp_path: Path) -> None:
+    (tmp_path / "log.csv").write_text("t,x,y,z\n0,0,0,1\n0.02,0,0,1\n0.01,0,0,1\n0.03,0,0,1\n")
+    (tmp_path / "log.toml").write_text(
+        'file = "log.csv"\naxes = { world = "nwu", body = "flu" }\n[[channels]]\nname = "body"\n'
+        'quantity = "position"\ncolumns = ["x", "y", "z"]\nunit = "m"\ntime = "t"\n'
+    )
+    words = "log.csv: body: 1 sample comes after a later one, by up to 10 ms; sorted by their times"
+    assert words in said("inspect", str(tmp_path / "log.toml"))
+
+
 def test_the_example_shows_its_impact() -> None:
     shown = said("segment", str(EXAMPLE))
     assert shown.startswith("1 impact\nat ")
