@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numba
@@ -106,3 +108,16 @@ def test_the_first_problem_is_the_same(asked: list[Any]) -> None:
     with pytest.raises(InputError) as flown:
         fly(wrong)
     assert str(read.value) == str(flown.value)
+
+
+def test_other_threads_get_real_addresses(
+    asked: list[Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A scenario that is read beside one that is deferred, as in the lab, can be flown."""
+    compiled = SimpleNamespace(address=4096, owner=None)
+    monkeypatch.setattr(routines, "compile_apart", lambda *_: compiled)
+    monkeypatch.setattr(routines, "_ROUTINES", {})
+    with routines.routines_deferred() as missing, ThreadPoolExecutor(1) as pool:
+        assert SCENE_FACES.address == 0.0
+        assert missing == [SCENE_FACES]
+        assert pool.submit(lambda: SCENE_FACES.address).result() == 4096.0

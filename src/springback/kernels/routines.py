@@ -15,6 +15,7 @@ import hashlib
 import weakref
 from collections.abc import Callable, Iterator, Mapping
 from contextlib import contextmanager
+from contextvars import ContextVar
 from typing import Any, Self, TypeVar
 
 import numba
@@ -153,8 +154,11 @@ class Routine:
         """Address of the code, as a float; in `routines_deferred` 0 if it is not compiled."""
         if self._address is None:
             signature = (_typeof(self._arguments),)
-            if _DEFERRED and not is_compiled_apart(self.function, signature, cache_folder()):
-                _DEFERRED[-1].append(self)
+            asked = _DEFERRED.get()
+            if asked is not None and not is_compiled_apart(
+                self.function, signature, cache_folder()
+            ):
+                asked.append(self)
                 return 0.0
             self._compiled = compile_apart(self.function, signature, cache_folder())
             self._address = float(self._compiled.address)
@@ -170,8 +174,8 @@ class Routine:
 _ROUTINES: dict[float, Routine] = {}
 
 
-#: Routines asked for but not compiled, in each context of `routines_deferred`.
-_DEFERRED: list[list[Routine]] = []
+#: Routines asked for but not compiled, within `routines_deferred`; other threads are outside.
+_DEFERRED: ContextVar[list[Routine] | None] = ContextVar("_DEFERRED", default=None)
 
 
 @contextmanager
@@ -182,11 +186,11 @@ def routines_deferred() -> Iterator[list[Routine]]:
         Routines that are still to be compiled, as they are asked for.
     """
     asked: list[Routine] = []
-    _DEFERRED.append(asked)
+    before = _DEFERRED.set(asked)
     try:
         yield asked
     finally:
-        _DEFERRED.pop()
+        _DEFERRED.reset(before)
 
 
 def call_routine(address: float, argument: Any, like: T) -> T:
