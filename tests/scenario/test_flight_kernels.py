@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from pathlib import Path
-from types import SimpleNamespace
 from typing import Any
 
 import numba
@@ -17,6 +16,7 @@ from springback.contact.scene.faces import SCENE_FACES
 from springback.errors import InputError
 from springback.kernels import routines
 from springback.kernels.compiler import is_in_cache
+from springback.kernels.routines import Routine, routines_deferred
 from springback.results.flight import fly
 from springback.scenario import flight_kernels
 from springback.scenario.files import read_scenario
@@ -110,14 +110,15 @@ def test_the_first_problem_is_the_same(asked: list[Any]) -> None:
     assert str(read.value) == str(flown.value)
 
 
-def test_other_threads_get_real_addresses(
-    asked: list[Any], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_other_threads_get_real_addresses(asked: list[Any]) -> None:
     """A scenario that is read beside one that is deferred, as in the lab, can be flown."""
-    compiled = SimpleNamespace(address=4096, owner=None)
-    monkeypatch.setattr(routines, "compile_apart", lambda *_: compiled)
-    monkeypatch.setattr(routines, "_ROUTINES", {})
-    with routines.routines_deferred() as missing, ThreadPoolExecutor(1) as pool:
-        assert SCENE_FACES.address == 0.0
-        assert missing == [SCENE_FACES]
-        assert pool.submit(lambda: SCENE_FACES.address).result() == 4096.0
+    routine = Routine(_doubled, 0.0)
+    with routines_deferred() as missing, ThreadPoolExecutor(1) as pool:
+        assert routine.address == 0.0
+        assert missing == [routine]
+        assert pool.submit(lambda: routine.address).result() > 0.0
+    assert routine.call_compiled(2.0) == 4.0
+
+
+def _doubled(number: float) -> float:
+    return 2.0 * number
