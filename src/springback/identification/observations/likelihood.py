@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -137,7 +138,13 @@ class ImpactProblem:
         self.together: JointPrior | None = None
         #: Flights flown so far.
         self.flown = 0
-        self._width, self._formulas = 0, KnownFormulas()
+        self._width, self._formulas, self._binned = 0, KnownFormulas(), BINNED
+
+    def of_samples(self) -> ImpactProblem:
+        """The same with the samples of an accelerometer one by one, not means of some."""
+        found = copy.copy(self)
+        found._width, found._binned = 0, 1
+        return found
 
     # -- unknowns ---------------------------------------------------------------------------------
 
@@ -339,7 +346,7 @@ class ImpactProblem:
         """Samples that are compared by their mean."""
         touch, release = self.impact.touch, self.impact.release
         within = int(((times >= touch) & (times <= release)).sum())
-        return min(max(within // BINS, 1), BINNED)
+        return min(max(within // BINS, 1), self._binned)
 
     def _white(self, one: ChannelWindow, samples: StateSamples, which: Any, u: Array) -> Array:
         predicted = self._predicted(one, samples, which, u)
