@@ -11,7 +11,7 @@ import pytest
 from builders.cases import nonempty
 from springback.errors import InputError
 from springback.identification.design import coverage
-from springback.identification.design.coverage import _believed_fields, at_centres, displaced_fields
+from springback.identification.design.coverage import _believed_fields, displaced_fields
 from springback.identification.fits import base_scenario, fields_of_plan, read_flights
 from springback.identification.observations.likelihood import ImpactProblem
 from springback.identification.observations.noise import residuals_in_bins
@@ -19,7 +19,7 @@ from springback.identification.observations.windows import impact_window
 from springback.identification.settings import read_fit_plan
 from springback.identification.solving.fitting import fit_impact
 from springback.identification.solving.least_squares import solve
-from springback.identification.unknowns import FARTHEST
+from springback.identification.unknowns import FARTHEST, at_centres
 from springback.logs.recording import Array
 from springback.logs.segments import find_impacts
 from springback.random_streams import Purpose, stream

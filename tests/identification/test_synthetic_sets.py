@@ -11,9 +11,10 @@ import pytest
 
 from springback.batch.sampled import sampled_flights
 from springback.errors import InputError
-from springback.identification.design.coverage import at_centres, synthetic_fits, with_lead
+from springback.identification.design.coverage import synthetic_fits, with_lead
 from springback.identification.fits import base_scenario, fields_of_plan
 from springback.identification.settings import FitPlan, read_fit_plan
+from springback.identification.unknowns import at_centres
 from springback.scenario.scenario import scenario_from
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

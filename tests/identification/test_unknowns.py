@@ -66,7 +66,11 @@ def test_values_go_where_they_belong_and_nowhere_else(scenario: Scenario) -> Non
         (STIFFNESS, "+- 0 %", "above zero"),
         ("world.obstacles.0.surface.stifness", "factor 5", "stiffness"),
         ("vehicle.arms.stiffness", "5 kg factor 3", "expected N/m"),
-        ("world.obstacles.0.surface.dissipation", "factor 3", "give the centre"),
+        (
+            "world.obstacles.0.surface.dissipation",
+            "factor 3",
+            r"give the middle, too, as in '1 s/m factor 3'",
+        ),
         ("vehicle.name", "factor 3", "no number"),
         ("start.position.1", "+- 5 %", "above zero"),
     ],

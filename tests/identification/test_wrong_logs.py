@@ -161,3 +161,20 @@ def test_values_that_are_not_settled_are_not_called_learned() -> None:
     [one, *_] = rig_fit().estimates
     assert one.verdict == "learned"
     assert one._replace(settled=False).verdict == "not settled"
+
+
+def test_a_known_mass_that_the_scenario_cannot_have_is_named(folder: Path) -> None:
+    """Once only the moments of inertia were, which the plan does not give."""
+    plan = read_fit_plan(folder / "fit.toml", ["known.vehicle.body.mass=1005 kg +- 1 %"])
+    said = r"^known\.vehicle\.body\.mass: .* \(got '1005 kg \+- 1 %'\): vehicle\.body\.inertia: "
+    with pytest.raises(InputError, match=said):
+        fit(plan, folder)
+
+
+def test_an_impact_at_the_end_of_a_log_says_what_would_be_enough(folder: Path) -> None:
+    table = (folder / "impact_log.csv").read_text().splitlines()
+    (folder / "impact_log.csv").write_text("\n".join(table[:180]) + "\n")
+    with pytest.raises(
+        InputError, match=r"has 0\.375 s before it and 0\.000 s after it; 0\.150 s "
+    ):
+        read_flights(read_fit_plan(folder / "fit.toml"), folder)

@@ -322,3 +322,12 @@ def test_a_vehicle_that_lies_on_its_side_after_an_impact_has_no_wrong_axes() -> 
     always = np.tile([0.0, 9.81, 0.0], (len(force.times), 1))
     [found] = check_frames([recording(replace(force, values=always, clipped=None))])
     assert found.is_mistake
+
+
+def test_a_tenth_of_a_second_tells_no_axes() -> None:
+    """Some turn of axes always agrees somewhere along the track: once it was called a mistake."""
+    _, rate = inertial(0.12)
+    turned = replace(rate, values=rate.values * [-1.0, 1.0, -1.0])
+    [told] = [x for x in check_frames([recording(turned, *poses())]) if "and gyro" in x.name]
+    assert told.passed
+    assert "too little" in told.sentence

@@ -21,6 +21,7 @@ from springback.identification.unknowns import (
     Unknown,
     field_unknown,
     number_of_all,
+    refuse_centres,
     refuse_twice,
 )
 from springback.identification.wording import force_sentences, sentences
@@ -111,6 +112,25 @@ def base_scenario(plan: FitPlan, folder: Path) -> tuple[Scenario, dict[str, Any]
     return scenario, with_contents(with_absolute_names(
         toml_tables(source_text(path), str(path)), path.parent
     ))  # fmt: skip
+
+
+def scenario_with_fields(
+    plan: FitPlan, folder: Path
+) -> tuple[Scenario, dict[str, Any], list[Unknown]]:
+    """Scenario of a plan, its plain tables, and the fields of the plan.
+
+    Args:
+        plan: Of the fit.
+        folder: That its paths are relative to.
+
+    Raises:
+        InputError: As `base_scenario` and `fields_of_plan`, or if the scenario cannot have the
+            middle of a prior.
+    """
+    scenario, tables = base_scenario(plan, folder)
+    fields = fields_of_plan(plan, scenario)
+    refuse_centres(tables, fields, scenario)
+    return scenario, tables, fields
 
 
 def read_flights(plan: FitPlan, folder: Path) -> list[ReadFlight]:
@@ -254,8 +274,7 @@ def fit(
     """
     folder = Path(folder)
     tell("reading the logs")
-    scenario, _ = base_scenario(plan, folder)
-    fields = fields_of_plan(plan, scenario)
+    fields = scenario_with_fields(plan, folder)[2]
     flights = read_flights(plan, folder)
     problems = [
         ImpactProblem(plan, flight.scenario, flight.tables, fields, impact)

@@ -19,7 +19,7 @@ from springback.problems import key_path
 from springback.quantities import number_in, si_number
 from springback.scenario.fields import Parameter, Path, number_at, refuse_unread
 from springback.scenario.overrides import apply_overrides, with_value
-from springback.scenario.scenario import Scenario
+from springback.scenario.scenario import Scenario, scenario_from
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 Role = Literal["free", "known", "latent"]
@@ -164,7 +164,7 @@ def refuse_twice(names: Collection[str]) -> None:
 def _prior(field: Parameter, text: str, current: float | None) -> tuple[float, float, bool]:
     """Centre and deviation of a prior, and whether they are of the logarithm."""
     if match := _FACTOR.match(text):
-        centre = _centre(field, match["centre"] or "", current)
+        centre = _centre(field, match["centre"] or "", current, text)
         factor = si_number(number_in(match["factor"], "", bare=True), "", above=1.0)
         _positive(field, centre, text)
         return math.log(centre), math.log(factor) / TWO_DEVIATIONS, True
@@ -173,7 +173,7 @@ def _prior(field: Parameter, text: str, current: float | None) -> tuple[float, f
             f"{field.name}: {shown_value(text)} is no uncertainty; write 'factor 5', '+- 2 %' or "
             f"'+- 0.1{' ' if field.unit else ''}{field.unit}'"
         )
-    centre, uncertainty = _centre(field, match["centre"], current), match["uncertainty"]
+    centre, uncertainty = _centre(field, match["centre"], current, text), match["uncertainty"]
     if uncertainty.endswith("%"):
         share = number_in(uncertainty, "")
         _positive(field, centre, text)
@@ -182,13 +182,14 @@ def _prior(field: Parameter, text: str, current: float | None) -> tuple[float, f
     return centre, number_in(uncertainty, field.unit, bare=bare), False
 
 
-def _centre(field: Parameter, text: str, current: float | None) -> float:
-    if text:
-        return field.read(text)
+def _centre(field: Parameter, middle: str, current: float | None, text: str) -> float:
+    if middle:
+        return field.read(middle)
     if current is None:
+        example = f"{f'1 {field.unit}'.strip()} {text.strip()}"
         raise InputError(
-            f"{field.name}: the scenario has no single number there; give the centre, too, as "
-            f"in '1 {field.unit} +- 10 %'"
+            f"{field.name}: the scenario has no single number there; give the middle, too, as "
+            f"in {example!r}"
         )
     return current
 
@@ -247,3 +248,52 @@ def with_lists(
         moments = [list(row) for row in scenario.vehicle.body.inertia]
         found = with_value(found, INERTIA, moments, "vehicle.body.inertia")
     return dict(found)
+
+
+def at_centres(
+    tables: Mapping[str, Any], fields: Sequence[Unknown], scenario: Scenario
+) -> dict[str, Any]:
+    """Tables whose fields have the middles of their priors, which a plan may give by itself.
+
+    Args:
+        tables: Of the scenario, plain.
+        fields: Of the plan.
+        scenario: The same scenario.
+    """
+    whole = with_lists(tables, fields, scenario)
+    return with_values(whole, fields, [0.0] * len(fields))
+
+
+def refuse_centres(
+    tables: Mapping[str, Any], fields: Sequence[Unknown], scenario: Scenario
+) -> None:
+    """Refuse middles of priors with which the scenario is none, each by itself, then all together.
+
+    Args:
+        tables: Of the scenario, plain.
+        fields: Of the plan.
+        scenario: The same scenario.
+
+    Raises:
+        InputError: With the field and its uncertainty, and why.
+    """
+    problems = []
+    for one in fields:
+        if why := _why_refused(tables, [one], scenario):
+            problems.append(
+                f"{one.role}.{one.name}: the scenario cannot have its middle "
+                f"(got {shown_value(one.uncertainty)}): {why}"
+            )
+    if problems:
+        raise InputError(*problems)
+    if why := _why_refused(tables, fields, scenario):
+        raise InputError(f"the middles of all free and known fields make no scenario: {why}")
+
+
+def _why_refused(tables: Mapping[str, Any], fields: Sequence[Unknown], scenario: Scenario) -> str:
+    """Why a scenario cannot have the middles of some priors; empty if it can."""
+    try:
+        scenario_from(at_centres(tables, fields, scenario), advises=False)
+    except InputError as error:
+        return "; ".join(error.problems)
+    return ""

@@ -56,7 +56,8 @@ def estimate_sentence(one: FieldEstimate) -> str:
         said = f"{unknown.name} is at least {number_text(one.low, unit)}"
     elif one.verdict == "at most":
         said = f"{unknown.name} is at most {number_text(one.high, unit)}"
-    return f"{said}: {one.verdict} ({100.0 * one.deviation:.2g} % of the uncertainty before)"
+    percent = float(f"{100.0 * one.deviation:.2g}")
+    return f"{said}: {one.verdict} ({percent:g} % of the uncertainty before)"
 
 
 def force_sentences(fits: Sequence[ImpactFit], *, scatter: bool) -> list[str]:

@@ -17,6 +17,7 @@ import numpy as np
 
 from springback.errors import InputError
 from springback.logs.clocks import (
+    WINDOW,
     Integral,
     Offset,
     attitude_rates,
@@ -65,6 +66,9 @@ UNIT_WIDTH = 1.5
 FAR_OFF = 30.0
 #: TurnRates and accelerations below which axes cannot be told apart, rms [rad/s], [m/s²] (chosen).
 STILL_RATE, STILL_ACCELERATION = 0.05, 0.5
+#: Time over which rates are compared, at least [s] (chosen: ten windows that share no sample; of
+#: fewer some turn of axes always agrees at some offset of the clocks).
+COMPARED = 10 * WINDOW
 #: Correlation that axes must reach, and by how much another turn must be better (chosen).
 AGREED, BETTER = 0.9, 0.02
 #: End of the name of a finding on the order of quaternions, and their two orders.
@@ -302,7 +306,8 @@ def _gyro_finding(attitude: LogChannel, gyro: LogChannel, offset: Offset) -> Fra
     rates = attitude_rates(attitude)
     means, whole = Integral(gyro).means(rates.begins + offset.seconds, rates.ends + offset.seconds)
     a, b = rates.values[whole], means[whole]
-    if len(a) < 10 or np.sqrt((b * b).sum(axis=1).mean()) < STILL_RATE:
+    span = float(np.ptp(rates.begins[whole])) if len(a) else 0.0
+    if span < COMPARED or np.sqrt((b * b).sum(axis=1).mean()) < STILL_RATE:
         return FrameFinding(names, True, "turn too little together to compare their axes")
     at = f"clocks {1e3 * offset.seconds:+.1f} ms apart" if abs(offset.seconds) < 1.0 else (
         f"clocks {offset.seconds:+.4f} s apart"

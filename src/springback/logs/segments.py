@@ -433,8 +433,9 @@ def _refusal(
     first, last = channel.span
     if window[0] + 0.5 * BEFORE < first or one.release > last - 0.5 * AFTER:
         return (
-            f"{channel.name} has only {max(one.touch - first, 0.0):.3f} s before it and "
-            f"{max(last - one.release, 0.0):.3f} s after it"
+            f"{channel.name} has {max(one.touch - first, 0.0):.3f} s before it and "
+            f"{max(last - one.release, 0.0):.3f} s after it; {0.5 * BEFORE:.3f} s and "
+            f"{0.5 * AFTER:.3f} s are needed"
         )
     if sources.accelerometer is not None and samples < NEEDED:
         return (

@@ -21,12 +21,12 @@ import numpy as np
 from springback.batch.sampled import sampled_flights
 from springback.batch.workers import end_with_parent, single_threads
 from springback.errors import InputError
-from springback.identification.fits import base_scenario, fields_of_plan, result_of
+from springback.identification.fits import result_of, scenario_with_fields
 from springback.identification.observations.likelihood import ImpactProblem
 from springback.identification.observations.windows import impact_window
 from springback.identification.settings import FitPlan
 from springback.identification.solving.fitting import ImpactFit, fit_impact
-from springback.identification.unknowns import Unknown, with_lists, with_values
+from springback.identification.unknowns import Unknown, at_centres
 from springback.intervals import wilson
 from springback.logs.recording import Recording
 from springback.logs.segments import find_impacts
@@ -116,8 +116,7 @@ def check_coverage(
     Raises:
         InputError: If the scenario cannot be flown, or no set could be fitted.
     """
-    scenario, tables = base_scenario(plan, Path(folder))
-    fields = fields_of_plan(plan, scenario)
+    scenario, tables, fields = scenario_with_fields(plan, Path(folder))
     flown, lead = with_lead(plan, at_centres(tables, fields, scenario))
     outcomes = [fitted_set(plan, tables, fields, 0, truth=flown)]
     count = processes or os.cpu_count() or 1
@@ -134,20 +133,6 @@ def check_coverage(
 def _job(given: tuple[FitPlan, dict[str, Any], list[Unknown], int, Any]) -> SyntheticFit:
     plan, tables, fields, seed, flown = given
     return fitted_set(plan, tables, fields, seed, truth=flown)
-
-
-def at_centres(
-    tables: Mapping[str, Any], fields: Sequence[Unknown], scenario: Scenario
-) -> dict[str, Any]:
-    """Tables whose fields have the middles of their priors, which a plan may give by itself.
-
-    Args:
-        tables: Of the scenario, plain.
-        fields: Of the plan.
-        scenario: The same scenario.
-    """
-    whole = with_lists(tables, fields, scenario)
-    return with_values(whole, fields, [0.0] * len(fields))
 
 
 def with_lead(plan: FitPlan, tables: Mapping[str, Any]) -> tuple[dict[str, Any], float]:

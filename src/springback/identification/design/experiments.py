@@ -27,7 +27,7 @@ from springback.identification.design.drops import (
     planned_drop,
 )
 from springback.identification.estimates import NOT_LEARNED
-from springback.identification.fits import base_scenario, fields_of_plan
+from springback.identification.fits import scenario_with_fields
 from springback.identification.observations.channel_window import ChannelWindow
 from springback.identification.observations.initial_state import InitialState
 from springback.identification.observations.likelihood import ImpactProblem
@@ -140,8 +140,7 @@ def plan_experiments(
     Raises:
         InputError: If the scenario cannot be used.
     """
-    scenario, tables = base_scenario(plan, Path(folder))
-    fields = fields_of_plan(plan, scenario)
+    scenario, tables, fields = scenario_with_fields(plan, Path(folder))
     given = _candidates(plan, scenario, tables)
     found = []
     for k, (name, change) in enumerate(given):

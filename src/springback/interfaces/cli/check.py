@@ -75,12 +75,12 @@ def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
 
 def _check_fit(path: Path, overrides: Sequence[str], terminal: Terminal) -> None:
     """Check a plan of a fit: its fields, its logs, and the impacts in them."""
-    from springback.identification.fits import base_scenario, fields_of_plan, read_flights
+    from springback.identification.fits import read_flights, scenario_with_fields
     from springback.identification.settings import naming_places, read_fit_plan
 
     plan = read_fit_plan(path, overrides)
     with naming_places(path):
-        fields = fields_of_plan(plan, base_scenario(plan, path.parent)[0])
+        fields = scenario_with_fields(plan, path.parent)[2]
         flights = read_flights(plan, path.parent) if plan.flights else []
     impacts = [window.name for flight in flights for window in flight.impacts]
     said = [text for flight in flights for text in (*flight.warnings, *flight.refused)]
