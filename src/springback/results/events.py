@@ -25,7 +25,8 @@ from springback.results.contacts.spans import (
 from springback.results.motion import specific_force_at
 from springback.results.result import FlightResult
 from springback.simulation.measuring.limits import arm_force
-from springback.vehicle.arms.bent import BentArm, BentCoordinates
+from springback.vehicle.arms.bent import ON_JOINTS, BentArm, BentCoordinates
+from springback.vehicle.arms.joints import STRAIGHT
 from springback.vehicle.limits import UNLIMITED, LoadLimits
 from springback.vehicle.rotor_stop import BROKEN
 
@@ -60,7 +61,8 @@ class Event(NamedTuple):
     ``separation``; ``bottomed``, ``ground`` and ``propeller`` once; ``rotor`` once for each that
     stops; ``alarm`` and ``phase`` of a recovery; ``settled``, when the arms are locked again;
     ``end``.  Kinds of one part, a guard or the hull: ``contact`` and ``release``, ``stop`` and
-    ``stop_release`` of an arm, and ``broken``, once, of what is loaded beyond its limit.
+    ``stop_release`` of an arm, ``latch_open`` and ``latch_close`` of its latch, and ``broken``,
+    once, of what is loaded beyond its limit.
     """
 
     t: float
@@ -74,7 +76,8 @@ class Event(NamedTuple):
     """Number of the arm, from 1, if it is an event of one."""
     value: float | None = None
     """Speed [m/s] of a touch, of a contact that of the main body; duration [s] of a separation or
-    release; acceleration [m/s²] of a peak; compression [m] of a stop.
+    release, or for which a latch was open; acceleration [m/s²] of a peak; compression [m] of a
+    stop.
     """
     obstacle: str | None = None
     """Of a touch or a contact: what is touched, such as ``world.obstacles[0], a pole``."""
@@ -277,6 +280,11 @@ def _parts(flight: FlightResult, met: _Met) -> Iterator[Event]:
         if isinstance(arm, BentArm) and arm.compliance * arm.stop_stiffness > 0.0:
             name = f"the second joint of arm {j}"
             yield from _stops(flight, c[f"bend{j}"], arm.second.shortest, j, name)
+        if isinstance(arm, ON_JOINTS):
+            yield from _latches(flight, arm, c[f"l{j}"], j, f"arm {j}")
+        if isinstance(arm, BentArm):
+            name = f"the second joint of arm {j}"
+            yield from _latches(flight, arm.second, c[f"bend{j}"], j, name)
 
 
 def _impulses(flight: FlightResult, hits: Sequence[JumpContact]) -> Iterator[Event]:
@@ -305,6 +313,23 @@ def _stops(
         yield Event(begin, "stop", f"stop {j}", sentence, j, most)
         sentence = f"{name} leaves its end stop after {1e3 * (end - begin):.1f} ms"
         yield Event(end, "stop_release", f"stop {j} off", sentence, j, end - begin)
+
+
+def _latches(flight: FlightResult, joint: Any, way: Array, j: int, name: str) -> Iterator[Event]:
+    """When the latch of a joint of arm ``j`` opens, and closes again."""
+    curvature = joint.joint.curvature
+    is_hinge = curvature > STRAIGHT
+    for latch in joint.spring.latch:
+        most = f"{latch.force / curvature:.3g} N m" if is_hinge else f"{latch.force:.3g} N"
+        opened = (
+            joint.length - way > latch.travel if latch.force > 0.0 else np.zeros(len(way), bool)
+        )
+        for _, _, begin, end in spans(flight, opened):
+            sentence = f"the latch of {name} opens, at {most}"
+            yield Event(begin, "latch_open", f"latch {j} open", sentence, j)
+            if end < flight.t[-1]:
+                sentence = f"the latch of {name} closes after {1e3 * (end - begin):.1f} ms"
+                yield Event(end, "latch_close", f"latch {j} closed", sentence, j, end - begin)
 
 
 def _shortest(flight: FlightResult) -> list[float]:

@@ -200,3 +200,20 @@ def test_the_page_draws_them_where_films_do(
         assert 0.0 < np.linalg.norm(np.subtract(drawn["held"], latch.on_body)) < 0.01
     assert len(lines) + len(latches) >= 4
     assert complaints(driver) == []
+
+
+@pytest.mark.parametrize("name", ["hinges", "slides", "two joints"])
+def test_a_latch_that_opens_is_an_event_when_the_picture_shows_it(
+    name: str, flights: dict[str, Flight], scenes: dict[str, Scene]
+) -> None:
+    """Of each arm as often as its faces part, and with the force or torque that it is given."""
+    flight, scene = flights[name], scenes[name]
+    opened = [event for event in flight.events if event.kind == "latch_open"]
+    closed = [event for event in flight.events if event.kind == "latch_close"]
+    places = [bodies.latches(scene.arms, bodies.pose(scene, float(t))) for t in scene.t]
+    shown = np.array([[latch.is_open for latch in row] for row in places])
+    assert len(opened) == int((shown[1:] & ~shown[:-1]).sum()) > 0
+    assert len(closed) == int((~shown[1:] & shown[:-1]).sum())
+    texts = {"hinges": ["2 N m"], "slides": ["30 N"], "two joints": ["2 N m", "0.5 N m"]}[name]
+    assert all(any(text in event.text for text in texts) for event in opened)
+    assert not [event for event in flights["in the plane"].events if event.kind == "latch_open"]

@@ -304,7 +304,9 @@ def neighbour_shapes(airframe: Airframe) -> tuple[NeighbourShape, ...]:
 
 
 #: Events of single parts, too many for a time line.
-_OF_PARTS = ("contact", "release", "stop", "stop_release", "settled")
+_OF_PARTS = (
+    "contact", "release", "stop", "stop_release", "latch_open", "latch_close", "settled",
+)  # fmt: skip
 
 
 def _time_line(flight: Flight) -> tuple[Event, ...]:
