@@ -38,6 +38,8 @@ class Purpose(IntEnum):
     """Places and radii of trunks."""
     SECOND = 11
     """Seed of the second vehicle of a scenario."""
+    NULL = 12
+    """Numbers of which nothing is true but chance: what a test's statistic is then."""
 
 
 def stream(seed: int, purpose: Purpose, *which: int) -> np.random.Generator:

@@ -15,6 +15,7 @@ from springback.identification.solving.fitting import ImpactFit
 from springback.identification.solving.least_squares import solve
 from springback.identification.unknowns import FARTHEST
 from springback.logs.recording import ANGULAR_VELOCITY, SPECIFIC_FORCE, Array
+from springback.random_streams import Purpose, stream
 
 #: Probability below which a misfit is said (chosen; `springback identify check` tells how often
 #: that is wrong).
@@ -178,9 +179,9 @@ def _correlation(series: Array) -> Array:
 @lru_cache(maxsize=64)
 def _drawn(count: int) -> Array:
     """Statistics of as many independent normal numbers, in order."""
-    rng, rows = np.random.default_rng(count), max(AT_ONCE // count, 1)
+    drawing, rows = stream(0, Purpose.NULL, count), max(AT_ONCE // count, 1)
     sizes = [min(rows, DRAWS - k) for k in range(0, DRAWS, rows)]
-    drawn = [_correlation(rng.standard_normal((size, count))) for size in sizes]
+    drawn = [_correlation(drawing.standard_normal((size, count))) for size in sizes]
     return np.sort(np.concatenate(drawn))
 
 

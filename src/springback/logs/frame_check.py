@@ -66,8 +66,7 @@ UNIT_WIDTH = 1.5
 FAR_OFF = 30.0
 #: TurnRates and accelerations below which axes cannot be told apart, rms [rad/s], [m/s²] (chosen).
 STILL_RATE, STILL_ACCELERATION = 0.05, 0.5
-#: Time over which rates are compared, at least [s] (chosen: ten windows that share no sample; of
-#: fewer some turn of axes always agrees at some offset of the clocks).
+#: Time over which rates are compared, at least [s] (chosen: of less, some turn always agrees).
 COMPARED = 10 * WINDOW
 #: Correlation that axes must reach, and by how much another turn must be better (chosen).
 AGREED, BETTER = 0.9, 0.02
@@ -306,7 +305,7 @@ def _gyro_finding(attitude: LogChannel, gyro: LogChannel, offset: Offset) -> Fra
     rates = attitude_rates(attitude)
     means, whole = Integral(gyro).means(rates.begins + offset.seconds, rates.ends + offset.seconds)
     a, b = rates.values[whole], means[whole]
-    span = float(np.ptp(rates.begins[whole])) if len(a) else 0.0
+    span = np.ptp(rates.begins[whole]) if len(a) else 0.0
     if span < COMPARED or np.sqrt((b * b).sum(axis=1).mean()) < STILL_RATE:
         return FrameFinding(names, True, "turn too little together to compare their axes")
     at = f"clocks {1e3 * offset.seconds:+.1f} ms apart" if abs(offset.seconds) < 1.0 else (

@@ -26,6 +26,7 @@ from springback.scenario.vehicles.hover_rest import hover_warnings
 from springback.scenario.vehicles.overlap import overlap_warnings
 from springback.scenario.vehicles.range_check import size_warnings
 from springback.scenario.vehicles.slides import slide_warnings
+from springback.scenario.vehicles.spring_tables import spring_table_warnings
 from springback.scenario.worlds.imported import Imported, named_obstacles, single_obstacles
 from springback.scenario.worlds.mesh_check import mesh_warnings
 from springback.vehicle.force_laws import HullSurface
@@ -84,7 +85,8 @@ def _of_vehicle(scenario: ScenarioTables, own: bool) -> list[str]:
     rests = hover_warnings(vehicle, scenario.world.gravity) if hovers else []
     alone = scenario.thrust == "hover" and not piloted and scenario.model.slider is None
     turns = balance_warnings(vehicle, scenario.world.gravity) if alone else []
-    return overlap_warnings(vehicle) + sizes + slide_warnings(vehicle) + rests + turns
+    joints = slide_warnings(vehicle) + spring_table_warnings(vehicle)
+    return overlap_warnings(vehicle) + sizes + joints + rests + turns
 
 
 def _curved(scenario: ScenarioTables) -> list[str]:
