@@ -267,7 +267,7 @@ def at_centres(
 def refuse_centres(
     tables: Mapping[str, Any], fields: Sequence[Unknown], scenario: Scenario
 ) -> None:
-    """Refuse middles of priors with which the scenario is none, each by itself, then all together.
+    """Refuse middles of priors with which the scenario is none, and name those that alone are why.
 
     Args:
         tables: Of the scenario, plain.
@@ -277,17 +277,18 @@ def refuse_centres(
     Raises:
         InputError: With the field and its uncertainty, and why.
     """
-    problems = []
-    for one in fields:
-        if why := _why_refused(tables, [one], scenario):
-            problems.append(
-                f"{one.role}.{one.name}: the scenario cannot have its middle "
-                f"(got {shown_value(one.uncertainty)}): {why}"
-            )
-    if problems:
-        raise InputError(*problems)
-    if why := _why_refused(tables, fields, scenario):
-        raise InputError(f"the middles of all free and known fields make no scenario: {why}")
+    together = _why_refused(tables, fields, scenario)
+    if not together:
+        return
+    problems = [
+        f"{one.role}.{one.name}: the scenario cannot have its middle "
+        f"(got {shown_value(one.uncertainty)}): {why}"
+        for one in fields if (why := _why_refused(tables, [one], scenario))
+    ]  # fmt: skip
+    problems = problems or [
+        f"the middles of all free and known fields make no scenario: {together}"
+    ]
+    raise InputError(*problems)
 
 
 def _why_refused(tables: Mapping[str, Any], fields: Sequence[Unknown], scenario: Scenario) -> str:

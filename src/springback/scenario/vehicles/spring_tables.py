@@ -42,6 +42,5 @@ def _short_tables(vehicle: Vehicle) -> Iterator[str]:
                 yield (
                     f"vehicle.arms.{name}.table: ends at {with_unit(end, unit)}, {most:.4g} "
                     f"{force}, and the travel of arm {j + 1} at {with_unit(way, unit)}: beyond its "
-                    f"last point it goes on with its last slope, to {there:.4g} "
-                    f"{force}"
+                    f"last point it goes on with its last slope, to {there:.4g} {force}"
                 )
