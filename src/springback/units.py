@@ -27,7 +27,7 @@ _NUMBER = re.compile(
 )
 _TERM = re.compile(
     r"(?P<root>√)?(?P<symbol>g_?0|[a-zA-Zµμ°%]+)"
-    r"(?:\^(?P<power>-?[0-9](?:\.[0-9])?)|(?P<raised>⁻?[¹²³⁴]))?"
+    r"(?:\^(?P<power>-?[0-9](?:\.[0-9]{1,6})?)|(?P<raised>⁻?[¹²³⁴]))?"
 )
 _JOINED = re.compile(r"[ \t]*[·*][ \t]*|[ \t]+")
 _RAISED = str.maketrans("⁻¹²³⁴", "-1234")
@@ -49,7 +49,9 @@ class UnitScale(NamedTuple):
     def times(self, other: UnitScale, power: Fraction) -> UnitScale:
         """Product of this unit and a power of another."""
         size = other.size
-        if power.denominator != 1:
+        if power.denominator > 2:  # of a contact law's exponent, such as N/m^0.7
+            size, whole = Fraction(float(size) ** float(power)), 1
+        elif power.denominator != 1:
             root = Fraction(math.isqrt(size.numerator), math.isqrt(size.denominator))
             if root * root != size:  # the root of kHz is irrational
                 root = Fraction(math.sqrt(size))
@@ -170,7 +172,7 @@ def _term(term: str, over: int) -> tuple[UnitScale, Fraction]:
         raise UnitError(f"unknown unit {symbol!r}{hint}")
     power = Fraction(found["power"] or (found["raised"] or "1").translate(_RAISED))
     power = power / 2 if found["root"] else power
-    if not power or (2 * power).denominator != 1:
+    if not power:
         raise UnitError(f"{term!r} is no unit")
     return unit, over * power
 
