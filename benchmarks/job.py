@@ -22,8 +22,9 @@ from springback.kernels.trees import leaves, names
 from springback.kernels.vectors import Quat, Vec
 from springback.simulation import flight
 from springback.simulation.executor import advance
-from springback.simulation.lanes import empty_groups, lanes_of
+from springback.simulation.lanes import empty_groups
 from springback.simulation.measuring.record import Model, Timing
+from springback.simulation.stages import split_flight
 from springback.vehicle.library import VEHICLES
 from springback.vehicle.state import State
 
@@ -150,9 +151,9 @@ class Single:
         """Seconds a step."""
         buffers = empty_groups(self.shape, 1, 1)
         buffers[:] = self.loaded
-        log = flight.empty_log()
+        log, lanes = flight.empty_log(), split_flight(self.shape, buffers)
         began = time.perf_counter()
-        while advance(TreeLayout(self.shape), buffers, lanes_of(1), log, flight.SLICE, 0.0):
+        while advance(TreeLayout(self.shape), buffers, lanes, log, flight.SLICE, 0.0):
             pass
         return (time.perf_counter() - began) / float(buffers[0, self.steps])
 

@@ -28,13 +28,13 @@ from springback.identification.results_files import (
     as_data,
     draws,
     overlay_text,
-    overlay_words,
 )
 from springback.identification.settings import FitPlan, read_fit_plan
 from springback.identification.solving.fitting import ImpactFit, fit_impact
 from springback.identification.wording import SHARES
 from springback.interfaces.cli.app import cli
 from springback.interfaces.cli.identify.fitting import fit_text
+from springback.scenario.overrides import overlay_words
 from springback.scenario.scenario import scenario_from
 
 EXAMPLES = Path(__file__).parents[2] / "examples"

@@ -16,6 +16,8 @@ from springback.kernels.concurrent import compilation
 from springback.kernels.concurrent.compilation import compile_with_help
 
 TESTS = Path(__file__).parents[1]
+#: An entry point, and the part of it with which another process is to help.
+CALLS = [(nested_entries.tripled_and_one, (2.0,))], (nested_entries.only_tripled, (2.0,))
 #: In a process of its own, with an empty cache: waits until the other one has compiled its part.
 PROGRAM = """
 import time, numba
@@ -63,7 +65,7 @@ def test_a_helper_that_fails_or_hangs_is_done_without(
 ) -> None:
     """And it has ended when the entry point is compiled."""
     processes = started(monkeypatch, program)
-    compile_with_help(nested_entries.tripled_and_one, nested_entries.only_tripled, (2.0,))
+    compile_with_help(*CALLS)
     assert nested_entries.tripled_and_one(2.0) == 7.0
     [helper] = processes
     assert helper.returncode is not None
@@ -72,14 +74,14 @@ def test_a_helper_that_fails_or_hangs_is_done_without(
 def test_what_is_compiled_needs_no_help(monkeypatch: pytest.MonkeyPatch) -> None:
     nested_entries.tripled_and_one.compile((numba.float64,))
     monkeypatch.setattr(compilation, "_compiled_elsewhere", pytest.fail)
-    compile_with_help(nested_entries.tripled_and_one, nested_entries.only_tripled, (2.0,))
+    compile_with_help(*CALLS)
 
 
 def test_one_process_alone_compiles_where_so_set(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(compilation, "is_in_cache", lambda *_: False)
     monkeypatch.setattr(compilation, "_compiled_elsewhere", pytest.fail)
     monkeypatch.setenv("SPRINGBACK_COMPILERS", "1")
-    compile_with_help(nested_entries.tripled_and_one, nested_entries.only_tripled, (2.0,))
+    compile_with_help(*CALLS)
 
 
 @pytest.mark.parametrize("given", ["0", "-1", "two", ""])
@@ -89,4 +91,4 @@ def test_a_number_of_processes_that_is_none_is_refused(
     monkeypatch.setenv("SPRINGBACK_COMPILERS", given)
     monkeypatch.setattr(compilation, "is_in_cache", lambda *_: False)
     with pytest.raises(InputError, match="SPRINGBACK_COMPILERS: must be a number of processes"):
-        compile_with_help(nested_entries.tripled_and_one, nested_entries.only_tripled, (2.0,))
+        compile_with_help(*CALLS)

@@ -22,7 +22,8 @@ from springback.scenario import flight_kernels
 from springback.scenario.files import read_scenario
 from springback.scenario.scenario import scenario_from
 from springback.simulation.executor import advance, to_tick
-from springback.simulation.flight import SLICE, fly_between_ticks, fly_to_end
+from springback.simulation.flight import SLICE, fly_to_end
+from springback.simulation.guided import fly_between_ticks
 
 ROOT = Path(__file__).parents[2]
 THROWN: dict[str, Any] = {

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from springback.errors import InputError
 from springback.identification.estimates import FieldEstimate
 from springback.identification.fits import FitResult
 from springback.identification.law_comparison import LawComparison
@@ -20,7 +18,6 @@ from springback.logs.recording import Array
 from springback.progress import Progress, silent, stage
 from springback.random_streams import Purpose, stream
 from springback.results.parquet import write_parquet
-from springback.scenario.source_text import source_text, toml_tables
 
 #: Names of the files.
 IDENTIFIED, POSTERIOR, SUMMARY = "identified.toml", "posterior.parquet", "fit.json"
@@ -191,22 +188,3 @@ def uncertainty_text(one: FieldEstimate) -> str:
     if one.unknown.logarithmic:
         return f"{value} +- {100.0 * deviation:.3g} %"
     return f"{value} +- {deviation:.3g} {one.unknown.unit}".strip()
-
-
-def overlay_words(path: str | Path) -> list[str]:
-    """Overrides of a scenario that an overlay holds, such as ``vehicle.body.mass=1.2``.
-
-    Raises:
-        InputError: If the file is no overlay.
-    """
-    given = toml_tables(source_text(Path(path)), str(path))
-    values = given.get("values")
-    if not isinstance(values, Mapping) or not values:
-        raise InputError(
-            f"{path}: is no overlay: it has no table [values], which springback identify fit writes"
-        )
-    for key, value in values.items():
-        if isinstance(value, bool) or not isinstance(value, int | float | str):
-            raise InputError(f"{path}: values.{key}: must be a number (got {value!r})")
-    return [f"{key}={value!r}" if not isinstance(value, str) else f"{key}={json.dumps(value)}"
-            for key, value in values.items()]  # fmt: skip

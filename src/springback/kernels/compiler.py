@@ -325,10 +325,18 @@ def compile_apart(function: Callable[..., Any], signature: Any, folder: Path) ->
         folder: That of the cached kernels.
     """
     entry: Any = _entry(function, folder, {}, source_digest())
+    return CompiledRoutine(_address(entry, signature), entry)
+
+
+def code_address(entry: Any, arguments: tuple[Any, ...]) -> int:
+    """Address of the machine code of an entry point for some arguments; compiled if need be."""
+    return _address(entry, tuple(map(entry.typeof_pyval, arguments)))
+
+
+def _address(entry: Any, signature: Any) -> int:
     entry.compile(signature)
     made = entry.overloads[signature]
-    address = made.library.get_pointer_to_function(made.fndesc.llvm_func_name)
-    return CompiledRoutine(address, entry)
+    return int(made.library.get_pointer_to_function(made.fndesc.llvm_func_name))
 
 
 def is_compiled_apart(function: Callable[..., Any], signature: Any, folder: Path) -> bool:

@@ -239,6 +239,30 @@ def _call_at(typing_context: Any, address: Any, argument: Any, like: Any) -> Any
     return result(types.float64, argument, like), lower
 
 
+@_intrinsic  # type: ignore[untyped-decorator]
+def run_at(typing_context: Any, address: Any, arguments: Any) -> Any:
+    """Run an entry point without a result, in compiled code.
+
+    Args:
+        typing_context: The compiler's.
+        address: `springback.kernels.compiler.code_address`.
+        arguments: A tuple of those for whose types it is.
+    """
+    kinds = tuple(map(_unliteral, arguments))
+
+    def lower(context: Any, builder: Any, signature: Any, given: Any) -> Any:
+        wanted = context.call_conv.get_function_type(types.none, kinds).as_pointer()
+        callee = builder.inttoptr(given[0], wanted)
+        values = [
+            context.cast(builder, builder.extract_value(given[1], k), arguments[k], kinds[k])
+            for k in range(len(kinds))
+        ]
+        context.call_conv.call_function(builder, callee, types.none, kinds, values)
+        return context.get_dummy_value()
+
+    return types.none(types.int64, arguments), lower
+
+
 def _floats(tree: Any) -> Any:
     """Type of a tree with literals taken as the floats that they are."""
     return _unliteral(tree)

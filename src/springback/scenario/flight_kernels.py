@@ -10,13 +10,19 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from contextvars import ContextVar
+from typing import Any
 
 from springback.kernels.concurrent.compilation import compiled_meanwhile
+from springback.kernels.layout import TreeLayout
 from springback.kernels.routines import routines_deferred
 from springback.scenario.checks import check_tables
 from springback.scenario.model import flight_model, start_state
 from springback.scenario.tables import ScenarioTables, UserShape
-from springback.simulation.flight import executor_arguments, fly_between_ticks, fly_to_end
+from springback.simulation.flight import SLICE, empty_log, flight_buffers, fly_to_end, shape_of
+from springback.simulation.guided import fly_between_ticks
+from springback.simulation.lanes import SplitFlight
+from springback.simulation.measuring.record import Model
+from springback.vehicle.state import State
 
 #: Ends the processes of the present context; None outside, or where one has been started.
 _HELP: ContextVar[ExitStack | None] = ContextVar("_HELP", default=None)
@@ -58,5 +64,12 @@ def compile_early(scenario: ScenarioTables, *, guided: bool) -> None:
         start = start_state(s.start.model_copy(update={"touch_distance": None}), s.vehicle, model)
     if missing:
         part = fly_between_ticks if guided else fly_to_end
-        helpers.enter_context(compiled_meanwhile(part, executor_arguments(model, start)))
+        helpers.enter_context(compiled_meanwhile(part, _arguments(model, start)))
         _HELP.set(None)
+
+
+def _arguments(model: Model, start: State) -> tuple[Any, ...]:
+    """Arguments of both parts for one flight: only their types matter."""
+    shape = shape_of(model, start)
+    buffers = flight_buffers(shape, [model], [start], 1)
+    return TreeLayout(shape), buffers, SplitFlight(0), empty_log(), SLICE, 0.0

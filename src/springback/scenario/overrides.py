@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import re
 import tomllib
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
 from springback.errors import InputError, excerpt, shown_value
 from springback.problems import dotted_path, key_path, nearest_name
 from springback.scenario.fields import fields_of
 from springback.scenario.scenario import Scenario, expand_presets
-from springback.scenario.source_text import MOST_DEPTH, check_depth
+from springback.scenario.source_text import MOST_DEPTH, check_depth, source_text, toml_tables
 from springback.settings import Settings
 from springback.user_code import CODE_FORM
 
@@ -210,3 +212,22 @@ def _entry_count(node: Any) -> str:
     if last < 0:
         return "; the list is empty"
     return f"; entries are 0 to {last}" if last else "; the only entry is 0"
+
+
+def overlay_words(path: str | Path) -> list[str]:
+    """Overrides of a scenario that an overlay holds, such as ``vehicle.body.mass=1.2``.
+
+    Raises:
+        InputError: If the file is no overlay.
+    """
+    given = toml_tables(source_text(Path(path)), str(path))
+    values = given.get("values")
+    if not isinstance(values, Mapping) or not values:
+        raise InputError(
+            f"{path}: is no overlay: it has no table [values], which springback identify fit writes"
+        )
+    for key, value in values.items():
+        if isinstance(value, bool) or not isinstance(value, int | float | str):
+            raise InputError(f"{path}: values.{key}: must be a number (got {value!r})")
+    return [f"{key}={value!r}" if not isinstance(value, str) else f"{key}={json.dumps(value)}"
+            for key, value in values.items()]  # fmt: skip

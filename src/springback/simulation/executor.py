@@ -43,6 +43,7 @@ from springback.simulation.lanes import (
     LOOKS,
     STEERS,
     SingleFlight,
+    SplitFlight,
     classify,
     number_lanes,
     places,
@@ -62,7 +63,7 @@ from springback.simulation.measuring.record import (
     search_of,
 )
 from springback.simulation.request import motion_after_request
-from springback.simulation.stages import REACH, WEIGHT, add_stage, find_rates
+from springback.simulation.stages import REACH, WEIGHT, add_stage, find_rates, find_rates_at
 from springback.simulation.thrusts import body_at, model_at, ramped_step
 from springback.vehicle.state import (
     Airframe,
@@ -136,6 +137,12 @@ def _begin_lanes(shape: TreeLayout, b: Buffer, w: int) -> None:
 @step_kernel
 def _begin_one(shape: TreeLayout, b: Buffer) -> None:
     find_rates(shape, b, REACH[0], True)
+    _record_found(shape, b)
+
+
+@kernel
+def _record_found(shape: TreeLayout, b: Buffer) -> None:
+    """Record what `find_rates` has found as a step of a single flight begins."""
     at, flown = places(shape, 1), _read_flight(shape, b, 1, 0)
     motion, seen = read(shape.motion, b, at.rate, 1, 0), read(shape.seen, b, at.seen, 1, 0)
     search = search_of(flown.model, flown.motion.state, flown.record)
@@ -157,6 +164,12 @@ def begin_step(lanes: tuple[int, ...], shape: TreeLayout, b: Buffer) -> None:
 @begin_step.register(SingleFlight)
 def _begin_lone_step(lanes: SingleFlight, shape: TreeLayout, b: Buffer) -> None:
     _begin_one(shape, b)
+
+
+@begin_step.register(SplitFlight)
+def _begin_split_step(lanes: SplitFlight, shape: TreeLayout, b: Buffer) -> None:
+    find_rates_at(lanes.physics, shape, b, REACH[0], True)
+    _record_found(shape, b)
 
 
 @guard

@@ -24,12 +24,20 @@ from springback.dynamics.motion import Engaged, HullView, Motion, View, Work
 from springback.dynamics.moving_obstacles import BodyWork
 from springback.dynamics.obstacle_views import NO_VIEW
 from springback.kernels.compiler import Origin, implementations, user_executor
+from springback.kernels.concurrent.compilation import compile_with_help
 from springback.kernels.frozen import frozen_digest
 from springback.kernels.layout import Buffer, TreeLayout, row_of, rows
 from springback.kernels.trees import leaves, names, rebuilt
 from springback.kernels.vectors import Quat, Vec
-from springback.simulation.executor import TrajectoryLog, advance, has_space, to_tick
-from springback.simulation.lanes import Shape, buffer_rows, empty_groups, lanes_of, places
+from springback.simulation.executor import TrajectoryLog, advance, has_space
+from springback.simulation.lanes import (
+    Shape,
+    SplitFlight,
+    buffer_rows,
+    empty_groups,
+    lanes_of,
+    places,
+)
 from springback.simulation.measuring.record import (
     FLYING,
     FREE_FLIGHT,
@@ -38,6 +46,7 @@ from springback.simulation.measuring.record import (
     Record,
     blank_record,
 )
+from springback.simulation.stages import rates_apart, rates_arguments, split_flight
 from springback.simulation.thrusts import ARRIVED, ThrustTable
 from springback.simulation.trajectory import StoredRows, check_instants
 from springback.vehicle.arms.bent import BentArm
@@ -309,6 +318,14 @@ def entry_for(model: Model, executor: Executor = "compiled") -> Any:
     return user_executor(plain, sources(own), nogil=True) if own else advance
 
 
+def is_split(model: Model, executor: Executor) -> bool:
+    """True if the physics of a single flight is compiled apart from the loop over its steps.
+
+    That of a user's own types is compiled with all that uses it, in a cache of its own.
+    """
+    return executor == "compiled" and not own_types(model)
+
+
 def fly_to_end(
     shape: TreeLayout,
     buffers: Buffer,
@@ -317,34 +334,9 @@ def fly_to_end(
     budget: int,
     early: float,
 ) -> None:
-    """Call of `fly_one` to its executor, for another process that compiles it."""
+    """Calls of `fly_one`, for another process that compiles them."""
+    rates_apart(shape, buffers[0], early, early > 0.0)
     advance(shape, buffers, lanes, log, budget, early)
-
-
-def fly_between_ticks(
-    shape: TreeLayout,
-    buffers: Buffer,
-    lanes: tuple[int, ...],
-    log: TrajectoryLog,
-    budget: int,
-    early: float,
-) -> None:
-    """Call of a flight with avionics to its executor, whose budget the compiler knows."""
-    to_tick(shape, buffers, lanes, log, SLICE, early)
-
-
-def executor_arguments(model: Model, start: State) -> tuple[Any, ...]:
-    """Arguments of these two for one flight."""
-    shape = shape_of(model, start)
-    log = empty_log(LOG_ROWS, 1 + rows(shape.motion) + rows(shape.seen))
-    return (
-        TreeLayout(shape),
-        flight_buffers(shape, [model], [start], 1),
-        lanes_of(1),
-        log,
-        SLICE,
-        0.0,
-    )
 
 
 def fly_one(
@@ -377,10 +369,16 @@ def fly_one(
     stored = StoredRows(width, interval)
     run, like = entry_for(model, executor), TreeLayout(shape)
     record_row, log = -rows(shape.record), empty_log(LOG_ROWS if trace else 0, width)
+    lanes = lanes_of(1)
+    if is_split(model, executor):
+        given = like, buffers, SplitFlight(0), log, SLICE, 0.0
+        physics = rates_arguments(shape, buffers)
+        compile_with_help([(advance, given), (rates_apart, physics)], (fly_to_end, given))
+        lanes = split_flight(shape, buffers)
     for early in _stretches(shape, buffers, 1, thrusts):
         flying = 1
         while flying:
-            flying = run(like, buffers, lanes_of(1), log, SLICE, early)
+            flying = run(like, buffers, lanes, log, SLICE, early)
             time_now = float(buffers[0, record_row])
             check_instants(stored.count + log.used[0], time_now, model.timing.until)
             if progress is not None:

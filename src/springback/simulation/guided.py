@@ -15,9 +15,9 @@ import numpy as np
 
 from springback.kernels.compiler import Origin, executor, user_executor, with_globals
 from springback.kernels.concurrent.compilation import compile_with_help
-from springback.kernels.layout import Buffer, row_of, rows, zeros
+from springback.kernels.layout import Buffer, TreeLayout, row_of, rows, zeros
 from springback.kernels.trees import leaves, names, rebuilt
-from springback.simulation.executor import advance, has_space, to_tick
+from springback.simulation.executor import TrajectoryLog, advance, has_space, to_tick
 from springback.simulation.flight import (
     LOG_ROWS,
     SLICE,
@@ -27,12 +27,13 @@ from springback.simulation.flight import (
     empty_log,
     flight_buffers,
     flight_records,
+    is_split,
     own_types,
     shape_of,
     sources,
     trace_columns,
 )
-from springback.simulation.lanes import lanes_of
+from springback.simulation.lanes import SplitFlight, lanes_of
 from springback.simulation.measuring.record import Model
 from springback.simulation.noise import (
     NoiseSource,
@@ -54,6 +55,7 @@ from springback.simulation.onboard import (
     telemetry_of,
     user_pilot_memory,
 )
+from springback.simulation.stages import rates_apart, split_flight
 from springback.simulation.ticks import (
     GUST_NOISE,
     FlightBuffers,
@@ -156,10 +158,40 @@ def fly_to_tick(
     to_tick(layouts.shape, motion, lanes, log.trajectory, SLICE, early)
 
 
+def fly_split_to_tick(
+    layouts: Layouts,
+    buffers: FlightBuffers,
+    noise: NoiseStream,
+    ticks: TickRange,
+    log: FlightLog,
+) -> None:
+    """`fly_to_tick` of a `SplitFlight`, its physics, and its rotors."""
+    motion, lanes, early = buffers.motion, buffers.lanes, ticks.duration
+    to_tick(layouts.shape, motion, lanes, log.trajectory, SLICE, early)
+    rates_apart(layouts.shape, motion[0], early, early > 0.0)
+    group = FlightBuffers(motion[0], buffers.onboard[0], lanes)
+    drive_rotors(layouts, group, ticks.position[0], noise.noise[0, 0], log, early)
+
+
+def fly_between_ticks(
+    shape: TreeLayout,
+    buffers: Buffer,
+    lanes: tuple[int, ...],
+    log: TrajectoryLog,
+    budget: int,
+    early: float,
+) -> None:
+    """`fly_to_tick` where the avionics are not known yet: arguments of `fly_to_end`."""
+    to_tick(shape, buffers, lanes, log, SLICE, early)
+    rates_apart(shape, buffers[0], early, early > 0.0)
+
+
 def compile_guide(run: Any, arguments: tuple[Any, ...]) -> None:
     """Compile `guide`, if it is what will be run with these arguments, by two processes."""
     if run is guide:
-        compile_with_help(guide, fly_to_tick, arguments)
+        split = isinstance(arguments[1].lanes, SplitFlight)
+        part = fly_split_to_tick if split else fly_to_tick
+        compile_with_help([(guide, arguments)], (part, arguments))
 
 
 class GuidedFlight(NamedTuple):
@@ -303,7 +335,8 @@ def fly_guided(
     shape, duration, count = shape_of(model, start), model.timing.until, len(noise)
     check_instants(count if trace else 0, duration, duration)
     motion, onboard = flight_buffers(shape, [model], [start], 1), avionics_buffers([avionics], 1)
-    buffers, run = FlightBuffers(motion, onboard, lanes_of(1)), guide_for(model, avionics, executor)
+    run, split = guide_for(model, avionics, executor), is_split(model, executor)
+    buffers = FlightBuffers(motion, onboard, SplitFlight(0) if split else lanes_of(1))
     layouts = layouts_of(shape, avionics, noise.shape[1] - GUST_NOISE)
     numbers, at = stored_stream(noise), np.zeros(3, dtype=np.int64)
     head = (*telemetry_head(avionics),) if trace else ()
@@ -320,6 +353,8 @@ def fly_guided(
             before = tuple(at)
             if not any(before):
                 compile_guide(run, (layouts, buffers, numbers, ticks, log))
+                if split:
+                    buffers = buffers._replace(lanes=split_flight(shape, motion))
             run(layouts, buffers, numbers, ticks, log)
             if pilot and mailbox and at[1] == DRIVE and tuple(at) != before:
                 memory = _call(pilot, avionics, mailbox, float(at[0]), memory)

@@ -49,6 +49,16 @@ class SingleFlight(NamedTuple):
     lane: int = 0
 
 
+class SplitFlight(NamedTuple):
+    """Lanes of a single flight whose physics is compiled apart from the loop over its steps.
+
+    Two processes compile them side by side.
+    """
+
+    physics: int
+    """Address of `springback.simulation.stages.rates_apart`; 0 where only its type matters."""
+
+
 def lanes_of(width: int) -> tuple[int, ...]:
     """Lanes of a group of ``width``."""
     return SingleFlight() if width == 1 else (0,) * width

@@ -4,16 +4,28 @@ Lanes are flown by one of two kinds of code: with the hull of the main body wher
 without where it does not, which is quicker.  Compiling both takes a sixth longer; a single flight
 always computes the hull, so that its first result is there sooner.  For the same reason its physics
 is one function, `find_rates`, called at all four stages; in lanes each is compiled for its stage.
+Of a `SplitFlight` it is an entry point of its own, `rates_apart`, known by its address: it is
+compiled while another process compiles the loop over steps.
 """
 
 from __future__ import annotations
 
+from typing import Any
+
 from springback.dynamics.limbs.shell import or_turns
 from springback.dynamics.motion import Engaged, Motion, Rates, all_engaged, rates_while
-from springback.kernels.compiler import generic, kernel, step_kernel
+from springback.kernels.compiler import (
+    code_address,
+    compiler_rule,
+    executor,
+    generic,
+    kernel,
+    step_kernel,
+)
 from springback.kernels.layout import Buffer, TreeLayout, read, rows, write
+from springback.kernels.routines import run_at
 from springback.kernels.trees import axpy, fold, replace, select
-from springback.simulation.lanes import SingleFlight, places
+from springback.simulation.lanes import Shape, SingleFlight, SplitFlight, places
 from springback.simulation.measuring.record import Model
 from springback.simulation.thrusts import model_at
 from springback.vehicle.state import State
@@ -141,6 +153,32 @@ def _add_stage_of_one(shape: TreeLayout, b: Buffer, reach: float, weight: float)
     add_found_rates(shape, b, weight)
 
 
+@executor(nogil=True)
+def rates_apart(shape: TreeLayout, b: Buffer, reach: float, sees: bool) -> None:
+    """`find_rates`, compiled apart from the loop over steps."""
+    find_rates(shape, b, reach, sees)
+
+
+def split_flight(shape: Shape, buffers: Buffer) -> SplitFlight:
+    """Lanes of a single flight; its physics is compiled if need be."""
+    return SplitFlight(code_address(rates_apart, rates_arguments(shape, buffers)))
+
+
+def rates_arguments(shape: Shape, buffers: Buffer) -> tuple[Any, ...]:
+    """Arguments of `rates_apart` for a single flight in its buffers: only their types matter."""
+    return TreeLayout(shape), buffers[0], REACH[0], True
+
+
+def find_rates_at(physics: int, shape: TreeLayout, b: Buffer, reach: float, sees: bool) -> None:
+    """`find_rates` by the address of `rates_apart`."""
+    find_rates(shape, b, reach, sees)
+
+
+@compiler_rule(find_rates_at)
+def _find_rates_at(physics: Any, shape: Any, b: Any, reach: Any, sees: Any) -> Any:
+    return lambda physics, shape, b, reach, sees: run_at(physics, (shape, b, reach, sees))
+
+
 @generic
 def add_stage(
     lanes: tuple[int, ...], shape: TreeLayout, b: Buffer, reach: float, weight: float
@@ -162,3 +200,11 @@ def _add_lone_stage(
     lanes: SingleFlight, shape: TreeLayout, b: Buffer, reach: float, weight: float
 ) -> None:
     _add_stage_of_one(shape, b, reach, weight)
+
+
+@add_stage.register(SplitFlight)
+def _add_split_stage(
+    lanes: SplitFlight, shape: TreeLayout, b: Buffer, reach: float, weight: float
+) -> None:
+    find_rates_at(lanes.physics, shape, b, reach, False)
+    add_found_rates(shape, b, weight)

@@ -262,6 +262,21 @@ def test_what_flies_loads_nothing_that_few_flights_need() -> None:
     assert done.returncode == 0, done.stderr
 
 
+def test_a_throw_loads_nothing_that_identifies(folder: Path) -> None:
+    """Its statistics take as long to load as all else; an overlay is read without them."""
+    code = (
+        "import sys; from springback.interfaces.cli.app import cli; "
+        "cli(['fly', 's.toml', '--out', 'out'], standalone_mode=False); "
+        "heavy = [name for name in sys.modules if name.startswith('scipy.stats') "
+        "or name.startswith('springback.identification')]; "
+        "sys.exit(', '.join(heavy) or 0)"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=folder, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+
+
 @pytest.mark.parametrize("listens", [True, False])
 def test_a_flight_is_told_before_its_files_are_written(folder: Path, listens: bool) -> None:
     """They take longer than it; a reader that has ended loses none of them."""

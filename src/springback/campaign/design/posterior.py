@@ -19,7 +19,7 @@ from springback.results.database import (
     pattern,
     sandbox,
 )
-from springback.scenario.overrides import apply_overrides
+from springback.scenario.overrides import apply_overrides, overlay_words
 from springback.settings import Settings, problem
 
 #: Most numbers of a posterior, all of which a plan holds (chosen: some 20 MB in its file).
@@ -193,6 +193,4 @@ def with_overlay(tables: dict[str, Any], path: Path) -> dict[str, Any]:
     Raises:
         InputError: If it cannot be read, or is no overlay.
     """
-    from springback.identification.results_files import overlay_words  # loads much
-
     return apply_overrides(tables, overlay_words(path))

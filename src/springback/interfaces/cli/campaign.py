@@ -125,7 +125,7 @@ def campaign(
 
 def _laid_over(overlay: Path, plan: Path | None) -> list[str]:
     """Overrides of a plan by which an overlay is laid over its scenario."""
-    from springback.identification.results_files import overlay_words
+    from springback.scenario.overrides import overlay_words
 
     if plan is None:
         raise InputError("--with: needs a PLAN; a campaign that is resumed has its values already")

@@ -90,13 +90,13 @@ def fly(
     springback fly scenario.toml --with fitted/identified.toml --out results
     springback fly scenario.toml --against flight.ulg --against take.csv --world y-up --out replay
     """
-    from springback.identification.results_files import overlay_words
     from springback.interfaces.output.folders import SUMMARY
     from springback.interfaces.output.no_contact import idle_suction, untouched_flight
     from springback.interfaces.reports.flight_files import FLIGHT_FILES, write_flight
     from springback.results.flight import fly as fly_scenario
     from springback.scenario.files import as_input, read_scenario
     from springback.scenario.flight_kernels import flights_compiled_early
+    from springback.scenario.overrides import overlay_words
     from springback.scenario.user.pilots import read_pilot
     from springback.scenario.warnings import scenario_warnings
     from springback.scenario.worlds.mesh_check import telling

@@ -16,7 +16,7 @@ import pickle
 import subprocess
 import sys
 import threading
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
@@ -33,23 +33,28 @@ _ONE_THREAD = threading.Lock()
 _PROGRAM = f"from {__name__} import compile_request; compile_request()"
 
 
-def compile_with_help(entry: Any, part: Callable[..., None], arguments: tuple[Any, ...]) -> None:
-    """Compile an entry point while another process compiles a part of it, if it is not yet cached.
+#: A function and the arguments with which it will be called.
+Call = tuple[Any, tuple[Any, ...]]
+
+
+def compile_with_help(entries: Sequence[Call], part: Call) -> None:
+    """Compile entry points while another process compiles a part, unless all are cached.
 
     Args:
-        entry: An executor of the package.
-        part: Function of the same arguments, in a module, which calls some of what the entry calls.
-        arguments: With which the entry will be called.
+        entries: Executors of the package, in the order in which they are compiled here.
+        part: Function in a module which calls some of what they call, or them in another order.
 
     Raises:
         InputError: If the environment says how many processes compile, and that is no number.
     """
-    signature = tuple(map(entry.typeof_pyval, arguments))
+    wanted = [(entry, tuple(map(entry.typeof_pyval, given))) for entry, given in entries]
     with _ONE_THREAD:
-        if is_in_cache(entry, signature) or not _may_have_help():
+        missing = [call for call in wanted if not is_in_cache(*call)]
+        if not missing or not _may_have_help():
             return
-        with _compiled_elsewhere(part, signature):
-            entry.compile(signature)
+        with _compiled_elsewhere(part[0], tuple(map(numba.typeof, part[1]))):
+            for entry, signature in missing:
+                entry.compile(signature)
 
 
 @contextmanager

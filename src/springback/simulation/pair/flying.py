@@ -194,7 +194,7 @@ def fly_both(
         end = min(ticks, int(at[0]) + TICKS)
         given = (a.in_flight, b.in_flight, TickRange(at, end, ticks - 1, duration, False))
         if not (at[0] or own_types(a.avionics) | own_types(b.avionics)):
-            compile_with_help(fly, begin_and_end_both, given)
+            compile_with_help([(fly, given)], (begin_and_end_both, given))
         fly(*given)
         instants = a.stored.count + int(a.log.used[0])
         check_instants(instants if trace else 0, float(at[0]) * period, duration)
