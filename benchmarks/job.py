@@ -151,7 +151,7 @@ class Single:
         """Seconds a step."""
         buffers = empty_groups(self.shape, 1, 1)
         buffers[:] = self.loaded
-        log, lanes = flight.empty_log(), split_flight(self.shape, buffers)
+        log, lanes = flight.empty_log(), split_flight(TreeLayout(self.shape), buffers)
         began = time.perf_counter()
         while advance(TreeLayout(self.shape), buffers, lanes, log, flight.SLICE, 0.0):
             pass

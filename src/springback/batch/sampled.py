@@ -120,12 +120,12 @@ def _flown(
     seen = np.empty((len(laid.buffers), len(at), rows(laid.shape.motion.state), LANES))
     workers = min(threads, len(laid.buffers))
     parts = np.array_split(np.arange(len(laid.buffers)), workers)
-    if workers == 1:
-        _fly_part(laid, parts[0], at, thrusts, scale, seen)
-    else:
-        with ThreadPoolExecutor(workers) as pool:
-            for _ in pool.map(lambda part: _fly_part(laid, part, at, thrusts, scale, seen), parts):
-                pass
+    given = at, thrusts, scale, seen
+    with ThreadPoolExecutor(max(1, workers - 1)) as pool:  # without work it starts no thread
+        flying = [pool.submit(_fly_part, laid, part, *given) for part in parts[1:]]
+        _fly_part(laid, parts[0], *given)
+        for one in flying:
+            one.result()
     return np.asarray(seen.transpose(0, 3, 1, 2).reshape(-1, len(at), seen.shape[2]))
 
 

@@ -140,7 +140,7 @@ def with_value(node: Any, parts: Sequence[Key], value: Any, word: str) -> Any:
         value: New value.
         word: Override, for errors.
     """
-    head, *rest = parts
+    head, rest = parts[0], parts[1:]
     if isinstance(node, str):  # a name alone, of a table to be modified
         node = _named_table(node)
     if isinstance(head, int):

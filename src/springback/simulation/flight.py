@@ -46,7 +46,7 @@ from springback.simulation.measuring.record import (
     Record,
     blank_record,
 )
-from springback.simulation.stages import rates_apart, rates_arguments, split_flight
+from springback.simulation.stages import is_compiled, rates_apart, rates_arguments, split_flight
 from springback.simulation.thrusts import ARRIVED, ThrustTable
 from springback.simulation.trajectory import StoredRows, check_instants
 from springback.vehicle.arms.bent import BentArm
@@ -371,10 +371,11 @@ def fly_one(
     record_row, log = -rows(shape.record), empty_log(LOG_ROWS if trace else 0, width)
     lanes = lanes_of(1)
     if is_split(model, executor):
-        given = like, buffers, SplitFlight(0), log, SLICE, 0.0
-        physics = rates_arguments(shape, buffers)
-        compile_with_help([(advance, given), (rates_apart, physics)], (fly_to_end, given))
-        lanes = split_flight(shape, buffers)
+        if not is_compiled(like):
+            given = like, buffers, SplitFlight(0), log, SLICE, 0.0
+            physics = rates_arguments(like, buffers)
+            compile_with_help([(advance, given), (rates_apart, physics)], (fly_to_end, given))
+        lanes = split_flight(like, buffers)
     for early in _stretches(shape, buffers, 1, thrusts):
         flying = 1
         while flying:

@@ -354,7 +354,7 @@ def fly_guided(
             if not any(before):
                 compile_guide(run, (layouts, buffers, numbers, ticks, log))
                 if split:
-                    buffers = buffers._replace(lanes=split_flight(shape, motion))
+                    buffers = buffers._replace(lanes=split_flight(layouts.shape, motion))
             run(layouts, buffers, numbers, ticks, log)
             if pilot and mailbox and at[1] == DRIVE and tuple(at) != before:
                 memory = _call(pilot, avionics, mailbox, float(at[0]), memory)

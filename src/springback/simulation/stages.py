@@ -25,7 +25,7 @@ from springback.kernels.compiler import (
 from springback.kernels.layout import Buffer, TreeLayout, read, rows, write
 from springback.kernels.routines import run_at
 from springback.kernels.trees import axpy, fold, replace, select
-from springback.simulation.lanes import Shape, SingleFlight, SplitFlight, places
+from springback.simulation.lanes import SingleFlight, SplitFlight, places
 from springback.simulation.measuring.record import Model
 from springback.simulation.thrusts import model_at
 from springback.vehicle.state import State
@@ -159,14 +159,27 @@ def rates_apart(shape: TreeLayout, b: Buffer, reach: float, sees: bool) -> None:
     find_rates(shape, b, reach, sees)
 
 
-def split_flight(shape: Shape, buffers: Buffer) -> SplitFlight:
+#: Lanes of single flights by the compiler's types of their layouts.
+_COMPILED: dict[Any, SplitFlight] = {}
+
+
+def split_flight(shape: TreeLayout, buffers: Buffer) -> SplitFlight:
     """Lanes of a single flight; its physics is compiled if need be."""
-    return SplitFlight(code_address(rates_apart, rates_arguments(shape, buffers)))
+    kind = shape._numba_type_
+    if kind not in _COMPILED:
+        found = code_address(rates_apart, rates_arguments(shape, buffers))
+        _COMPILED[kind] = SplitFlight(found)
+    return _COMPILED[kind]
 
 
-def rates_arguments(shape: Shape, buffers: Buffer) -> tuple[Any, ...]:
+def is_compiled(shape: TreeLayout) -> bool:
+    """True if `split_flight` compiles and loads nothing."""
+    return shape._numba_type_ in _COMPILED
+
+
+def rates_arguments(shape: TreeLayout, buffers: Buffer) -> tuple[Any, ...]:
     """Arguments of `rates_apart` for a single flight in its buffers: only their types matter."""
-    return TreeLayout(shape), buffers[0], REACH[0], True
+    return shape, buffers[0], REACH[0], True
 
 
 def find_rates_at(physics: int, shape: TreeLayout, b: Buffer, reach: float, sees: bool) -> None:
