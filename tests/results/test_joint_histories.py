@@ -171,3 +171,11 @@ def test_a_hinge_that_breaks_is_told_by_its_torque() -> None:
     given["vehicle"]["limits"] = {"arm_force": "3 N"}
     [first, *_] = fly(given).broken_parts
     assert re.match(r"arm \d at 0\.\d+ s: more than 3 N", first), first
+
+
+def test_of_two_joints_the_one_that_breaks_is_told_as_its_limit_was_given() -> None:
+    """It was a force along the path of the first, 70.6 N, that nobody had entered."""
+    given = tables(JOINTS["hinges"])
+    given["vehicle"]["limits"] = {"hinge_torque": "0.4 N m"}
+    [first, *_] = fly(given).broken_parts
+    assert re.match(r"(first|second) hinge of arm \d at 0\.\d+ s: more than 0\.4 N m", first), first

@@ -153,6 +153,10 @@ BAD: dict[str, tuple[str, str, str, tuple[str, ...]]] = {
         WALL, 'surface = { preset = "wall", law = "hunt" }', "world.obstacles[0].surface.law",
         ("hunt-crossley", "'hunt'", "did you mean hunt-crossley?"),
     ),
+    "misspelt law of a stiffness with its unit": (
+        WALL, 'surface = { law = "foams", stiffness = "20 N/mm" }',
+        "world.obstacles[0].surface.law", ("'foams'", "did you mean foam?"),
+    ),
     "misspelt obstacle": (
         KIND, 'type = "waal"', "world.obstacles[0].type", ("'waal'", "did you mean wall?"),
     ),

@@ -27,7 +27,7 @@ from springback.results.result import FlightResult
 from springback.simulation.measuring.limits import arm_force
 from springback.vehicle.arms.bent import ON_JOINTS, BentArm, BentCoordinates
 from springback.vehicle.arms.joints import STRAIGHT
-from springback.vehicle.limits import UNLIMITED, LoadLimits
+from springback.vehicle.limits import UNLIMITED, JointShares, LoadLimits
 from springback.vehicle.rotor_stop import BROKEN
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
@@ -178,12 +178,17 @@ def _overloads(flight: FlightResult) -> list[Event]:
     arms = flight.scenario.vehicle.arms
     for j, arm in enumerate(flight.scenario.vehicle.airframe().arms, start=1):
         loads.append((f"guard {j}", c[f"fn{j}"], known.guards[j - 1], "N"))
-        if known.arms[j - 1] < UNLIMITED:
-            of = known.joints[j - 1]
-            forces = np.array([arm_force(arm, *moves, of) for moves in _arm_moves(c, j)])
-            torque = limits.hinge_torque is not None and len(arms.hinges) == 1
-            lever = arms.radius(j - 1) if torque else 1.0
-            name, unit = (f"hinge of arm {j}", "N m") if torque else (f"arm {j}", "N")
+        shares, radii = known.joints[j - 1], arms.radii(j - 1)
+        for k, (share, radius) in enumerate(zip(shares, radii, strict=False)):
+            if known.arms[j - 1] == UNLIMITED or share == 0.0:
+                continue
+            alone = JointShares(*(share if k == joint else 0.0 for joint in range(len(shares))))
+            forces = np.array([arm_force(arm, *moves, alone) for moves in _arm_moves(c, j)])
+            torque = limits.hinge_torque is not None and radius > 0.0
+            lever, unit = (radius / share, "N m") if torque else (1.0 / share, "N")
+            name = f"hinge of arm {j}" if torque else f"arm {j}"
+            if len(radii) > 1:
+                name = f"{('first', 'second')[k]} {'hinge' if torque else 'joint'} of arm {j}"
             loads.append((name, forces * lever, known.arms[j - 1] * lever, unit))
     for one in limits.components:
         if not (flight.is_second and any(one.position)):

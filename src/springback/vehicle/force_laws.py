@@ -8,7 +8,7 @@ share of the energy, e² of a restitution e, at any speed (`springback.contact.l
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BeforeValidator, model_validator
 
@@ -86,6 +86,9 @@ class HystereticSettings(Settings):
         text = given.get("stiffness") if isinstance(given, dict) else None
         if not isinstance(text, str):
             return given
+        laws = cls.model_fields["law"]
+        if given.get("law", laws.default) not in get_args(laws.annotation):
+            return {key: value for key, value in given.items() if key != "stiffness"}  # no unit
         linear = given.get("law") in ("kelvin-voigt", "foam")
         n = 1.0 if linear else given.get("exponent", cls.model_fields["exponent"].default)
         unit = f"N/m^{n:g}" if isinstance(n, int | float) and n != 1.0 else "N/m"

@@ -128,6 +128,15 @@ def test_code_that_cannot_be_checked_is_one_line(words: list[str], message: str)
         check(f"{EXAMPLES / 'own_obstacle.py'}:{words[0]}", *words[1:])
 
 
+def test_what_is_no_scenario_is_called_neither_code(tmp_path: Path) -> None:
+    """A name without a colon is a file; it was refused as code that lacks its name."""
+    (tmp_path / "notes.md").write_text("Notes on impacts\n")
+    with pytest.raises(InputError, match="is not TOML"):
+        check(str(tmp_path / "notes.md"))
+    with pytest.raises(InputError, match="Is a directory"):
+        check(str(tmp_path))
+
+
 def test_a_scenario_whose_code_cannot_be_used_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

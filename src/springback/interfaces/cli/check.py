@@ -55,8 +55,9 @@ def check(file: str, more: tuple[str, ...], terminal: Terminal) -> None:
     """
     from springback.scenario.files import has_vehicle_only
     from springback.scenario.source_text import source_text, toml_tables
+    from springback.user_code import CODE_FORM
 
-    if Path(file).suffix != ".toml":
+    if CODE_FORM.match(file):
         _check_code(file, more, terminal)
         return
     tables = toml_tables(source_text(Path(file)), file)
